@@ -1,0 +1,1 @@
+// The first engine (direct sum) arrives with the kernel sums.

@@ -1,0 +1,141 @@
+#pragma once
+
+#include <floe/mesh/q8_mesh.hpp>
+#include <floe/mesh/rectangle.hpp>
+#include <floe/numeric/types.hpp>
+#include <floe/plate/dry_modes.hpp>
+#include <floe/plate/plate_properties.hpp>
+#include <floe/response/quantity.hpp>
+#include <floe/wave/water.hpp>
+
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+/// The whole story: a case goes in, results go to a store, stage by stage.
+namespace floe {
+
+/// Where a mesh comes from: the generator, or a file.
+using MeshSource = std::variant<mesh::RectangleOptions, std::filesystem::path>;
+
+/// A named point on the plate or on the water [m].
+struct NamedPoint {
+  std::string name;
+  Point2 position;
+};
+
+/// A named straight line on the plate, `count` equidistant stations, both ends included.
+struct NamedLine {
+  std::string name;
+  Point2 from;
+  Point2 to;
+  int count = 0;
+};
+
+/// A wave for which node fields are written.
+struct FieldRequest {
+  double omega = 0.0;        ///< one of Case::omega [rad/s]
+  double heading_deg = 0.0;  ///< one of Case::heading_deg
+};
+
+enum class SolverMethod { kAuto, kDense };
+
+/// Everything that a case file says, resolved to SI units. See docs/conventions.md.
+struct Case {
+  std::string title;
+  wave::Water water;
+  plate::PlateProperties plate;
+  MeshSource mesh;
+  std::vector<MeshSource> plate_mesh;  ///< empty, or one: a mesh of its own for the plate
+  int mode_count = 30;
+  std::vector<double> omega;        ///< ascending, no duplicates [rad/s]
+  std::vector<double> heading_deg;  ///< as given, no duplicates [deg]
+  SolverMethod method = SolverMethod::kAuto;
+  double tolerance = 1e-6;  ///< of the results, relative to the largest
+  std::vector<NamedPoint> points;
+  std::vector<NamedLine> lines;
+  std::vector<NamedPoint> wave_points;
+  std::vector<response::Quantity> quantities = {response::Quantity::kDeflection};
+  std::vector<FieldRequest> fields;  ///< empty: the first heading, at most 10 frequencies
+  bool allow_coarse = false;         ///< go on with fewer than 2 nodes a wavelength
+  double memory_limit = 0.0;         ///< [byte]; 0: what the machine and its cgroup allow
+};
+
+/// What a frequency's solution is worth.
+struct FrequencyReport {
+  double omega = 0.0;              ///< [rad/s]
+  std::string method;              ///< "dense"
+  int iterations = 0;              ///< 0 for a direct solution
+  long applications = 0;           ///< operator applications
+  double true_residual = 0.0;      ///< largest ‖b - Ax‖/‖b‖ over all columns
+  double kernel_error = 0.0;       ///< relative error of G from its table, sampled
+  double reciprocity_error = 0.0;  ///< ‖P - Pᵀ‖/‖P‖ of the hydrodynamic part
+  double energy_error = 0.0;       ///< damping against radiated energy, relative to ω·max|a|
+  double seconds = 0.0;            ///< wall time
+};
+
+/// Node field of one wave: nodal deflection and pressure per metre of amplitude.
+struct NodeField {
+  double omega = 0.0;
+  double heading_deg = 0.0;
+  VecXcd deflection;  ///< N [m/m]
+  VecXcd rotation_x;  ///< N [rad/m]
+  VecXcd rotation_y;  ///< N [rad/m]
+  VecXcd pressure;    ///< N, total pressure of THEORY (*) [Pa/m]
+};
+
+/// All results of one frequency, per metre of wave amplitude, e^{-iωt}, phases relative to the
+/// origin.
+struct FrequencyResult {
+  double omega = 0.0;                    ///< [rad/s]
+  double wavenumber = 0.0;               ///< k [rad/m]
+  MatXd added_mass;                      ///< q × q, mass-normalised dry modes
+  MatXd damping;                         ///< q × q
+  MatXcd exciting_force;                 ///< q × headings
+  MatXcd amplitudes;                     ///< ξ, q × headings
+  MatXcd line_deflection;                ///< stations of all lines in order × headings
+  MatXcd point_deflection;               ///< points × headings
+  std::vector<MatXcd> point_quantities;  ///< one a quantity of the case: points × headings
+  MatXcd wave_elevation;                 ///< wave points × headings
+  std::vector<NodeField> fields;
+  FrequencyReport report;
+};
+
+/// Wall time and peak memory of one stage.
+struct StageTime {
+  std::string stage;
+  double seconds = 0.0;
+  double peak_memory = 0.0;  ///< of the process so far [byte]
+};
+
+/// Where the library tells what it does; the program decides how it looks.
+class Log {
+ public:
+  virtual ~Log() = default;
+  /// A line of the account.
+  virtual void info(const std::string& text) = 0;
+  /// Something was repaired or left out.
+  virtual void notice(const std::string& text) = 0;
+  /// Something that may make the results worse.
+  virtual void warning(const std::string& text) = 0;
+  /// Share of the whole run that is done, 0 … 1, and what runs now.
+  virtual void progress(double share, const std::string& now) = 0;
+};
+
+/// Where results go. Called in this order: once `begin`, once `modes`, each frequency by rising ω,
+/// once `finish`.
+class Store {
+ public:
+  virtual ~Store() = default;
+  virtual void begin(const Case& data, const mesh::Q8Mesh& mesh) = 0;
+  virtual void modes(const plate::DryModes& modes) = 0;
+  virtual void frequency(const FrequencyResult& result) = 0;
+  virtual void finish(const std::vector<StageTime>& times) = 0;
+};
+
+/// Runs the case: mesh, dry modes, then for each frequency radiation, coupling and response.
+/// Throws MeshError, InputError, BudgetError, ConvergenceError; what was finished is in the store.
+void analyse(const Case& data, Log& log, Store& store);
+
+}  // namespace floe

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <floe/mesh/q8_mesh.hpp>
+#include <floe/numeric/types.hpp>
+#include <floe/plate/plate_properties.hpp>
+
+namespace floe::plate {
+
+/// The lowest dry modes of a free plate, (K - ω_i² M) c_i = 0, paper (4).
+/// First the rigid modes, three a piece in the order of the pieces: heave (w = 1), roll about x
+/// (w = y - y_c, θx = 1) and pitch about y (w = -(x - x_c), θy = 1), about the piece's centroid,
+/// unmixed, each scaled to cᵀMc = 1. Then the elastic modes of all pieces by rising frequency,
+/// mass-normalised, each with its largest |w| positive.
+struct DryModes {
+  VecXd omega;       ///< ω_i [rad/s]; exactly 0 for the rigid modes
+  MatXd shape;       ///< 3N × q; rows w [m], θx, θy [rad] of each node
+  MatXd modal_mass;  ///< CᵀMC, q × q: the identity, but roll and pitch of a piece couple where ∫xy
+                     ///< ≠ 0
+  int rigid_count = 0;                     ///< 3 · number of pieces
+  double estimated_frequency_error = 0.0;  ///< largest relative error of ω_i, as estimated from the
+                                           ///< jump of the section moments between elements
+  Index count() const { return omega.size(); }
+};
+
+struct DryModeOptions {
+  int count = 30;            ///< q, rigid modes included
+  double tolerance = 1e-10;  ///< relative eigenvalue residual asked of the Lanczos iteration
+};
+
+/// Computes them by shift-invert Lanczos (Spectra) on a sparse Cholesky factorisation (CHOLMOD),
+/// piece by piece; the rigid modes are made exactly. Throws InputError when count < 3 a piece or
+/// more than half the unknowns; ConvergenceError (with how many converged) when modes are missing.
+DryModes dry_modes(const mesh::Q8Mesh& mesh, const PlateProperties& properties,
+                   const DryModeOptions& options = {});
+
+/// Modes of a coarser plate mesh at the nodes of a finer fluid mesh of the same outline, by the Q8
+/// functions of the plate's elements. Throws MeshError when a fluid node lies on no plate element.
+DryModes interpolate_modes(const DryModes& modes, const mesh::Q8Mesh& plate_mesh,
+                           const mesh::Q8Mesh& fluid_mesh);
+
+}  // namespace floe::plate

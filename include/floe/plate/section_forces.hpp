@@ -1,0 +1,26 @@
+#pragma once
+
+#include <floe/mesh/q8_mesh.hpp>
+#include <floe/numeric/types.hpp>
+#include <floe/plate/plate_properties.hpp>
+
+namespace floe::plate {
+
+/// Rows of node n in the result of section_forces, 5n + these.
+enum SectionForce : int {
+  kBendingMomentX = 0,  ///< ∫ z σxx dz [N m/m]
+  kBendingMomentY = 1,  ///< ∫ z σyy dz [N m/m]
+  kTwistingMoment = 2,  ///< ∫ z σxy dz [N m/m]
+  kShearForceX = 3,     ///< shear_correction · G · thickness · (∂w/∂x + θy) [N/m]
+  kShearForceY = 4,     ///< shear_correction · G · thickness · (∂w/∂y - θx) [N/m]
+};
+inline constexpr int kSectionForces = 5;
+
+/// Section moments and shear forces at the nodes, (5N × columns), from displacements (3N ×
+/// columns): evaluated at the 2 × 2 Gauss points, where they are most accurate, extrapolated
+/// bilinearly to the nodes and averaged over the elements that meet there. Linear in the
+/// displacements.
+MatXd section_forces(const mesh::Q8Mesh& mesh, const PlateProperties& properties,
+                     const Eigen::Ref<const MatXd>& displacement);
+
+}  // namespace floe::plate

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace floe::response {
+
+/// What can be asked for at points, per metre of wave amplitude.
+enum class Quantity {
+  kDeflection,        ///< w [m]
+  kVelocity,          ///< -iωw [m/s]
+  kAcceleration,      ///< -ω²w [m/s²]
+  kSlopeX,            ///< ∂w/∂x [-]
+  kSlopeY,            ///< ∂w/∂y [-]
+  kBendingMomentX,    ///< ∫ z σxx dz [N m/m]
+  kBendingMomentY,    ///< ∫ z σyy dz [N m/m]
+  kTwistingMoment,    ///< ∫ z σxy dz [N m/m]
+  kShearForceX,       ///< [N/m]
+  kShearForceY,       ///< [N/m]
+  kSurfaceStressX,    ///< σxx at z = +thickness/2 [Pa]
+  kSurfaceStressY,    ///< σyy at z = +thickness/2 [Pa]
+  kPressure,          ///< total pressure p on the underside [Pa]
+  kRelativeElevation  ///< p/ρg [m]
+};
+
+/// Name as in case and result files: "deflection", "bending_moment_x", …
+std::string_view name(Quantity quantity);
+
+/// The quantity of that name, or nothing.
+std::optional<Quantity> quantity_from_name(std::string_view name);
+
+/// All of them, in the order above.
+const std::vector<Quantity>& all_quantities();
+
+}  // namespace floe::response
