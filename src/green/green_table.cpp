@@ -57,6 +57,15 @@ FLOE_SIMD_CLONES void find_panels(const Lookup lookup, const double* distance, s
   }
 }
 
+// Whether all distances lie in the table; false too when one is NaN
+FLOE_SIMD_CLONES bool all_within(const double* distance, std::size_t count, double least,
+                                 double largest) {
+  int outside = 0;
+  for (std::size_t i = 0; i < count; ++i)
+    outside += !(distance[i] >= least && distance[i] <= largest);
+  return outside == 0;
+}
+
 using Double8 = double __attribute__((vector_size(64)));
 using Double4 = double __attribute__((vector_size(32)));
 using Double2 = double __attribute__((vector_size(16)));
@@ -134,14 +143,7 @@ void GreenTable::evaluate(std::span<const double> distance, std::span<Complex> v
   for (std::size_t begin = 0; begin < distance.size(); begin += kBlock) {
     const std::size_t count = std::min(kBlock, distance.size() - begin);
     const double* block = distance.data() + begin;
-    double least = block[0], largest = block[0];
-    bool ordered = true;  // false when a distance is NaN
-    for (std::size_t i = 0; i < count; ++i) {
-      least = std::min(least, block[i]);
-      largest = std::max(largest, block[i]);
-      ordered = ordered && block[i] == block[i];
-    }
-    if (ordered && least >= min_distance_ && largest <= max_distance_) {
+    if (all_within(block, count, min_distance_, max_distance_)) {
       find_panels(lookup, block, count, panel.data(), t.data());
       sum_terms(coefficient_.data(), panel.data(), t.data(), count,
                 reinterpret_cast<double*>(value.data() + begin));
