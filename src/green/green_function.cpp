@@ -122,9 +122,9 @@ double GreenFunction::remainder_near(double distance) const {
   }
 
   // Add the integral that stands for all the others (G.5)
-  const double nu_squared = nu_ * nu_;
   const auto density = [&](double k) {
-    return k * k / (k * k + nu_squared) * bessel_k0(k * distance);
+    const double ratio = nu_ / k;
+    return bessel_k0(k * distance) / (1.0 + ratio * ratio);
   };
   const double start = evanescent_[kGregoryStart - 1];
   return 4.0 * sum + 4.0 / pi * integrate_dyadic(start, kNegligible / distance, density);
