@@ -66,7 +66,7 @@ ElementIntegrals::~ElementIntegrals() = default;
 
 void ElementIntegrals::node_row(Index node, const green::GreenTable& green,
                                 Eigen::Ref<VecXcd> row) const {
-  std::vector<Holder> holders;
+  std::vector<mesh::ElementPoint> holders;
   for (const auto& [element, local] : node_elements_[node])
     holders.push_back({element, mesh::q8_parametric_nodes()(0, local),
                        mesh::q8_parametric_nodes()(1, local)});
@@ -75,17 +75,17 @@ void ElementIntegrals::node_row(Index node, const green::GreenTable& green,
 
 void ElementIntegrals::point_row(const Point2& point, const green::GreenTable& green,
                                  Eigen::Ref<VecXcd> row) const {
-  const auto found = locator_.locate(point);
-  std::vector<Holder> holders;
+  // NOTE: a point within the locator's tolerance outside an edge is moved onto it, or the elements
+  // on either side of it would each see a nearly singular integral
+  const std::vector<mesh::ElementPoint> holders = locator_.locate_all(point);
   Point2 target = point;
-  if (found) {
-    holders.push_back({found->element, found->xi, found->eta});
-    target = mesh_.element_nodes(found->element) * mesh::q8_shape(found->xi, found->eta);
-  }
+  if (!holders.empty())
+    target = mesh_.element_nodes(holders[0].element) *
+             mesh::q8_shape(holders[0].xi, holders[0].eta);
   fill_row(target, holders, green, row);
 }
 
-void ElementIntegrals::fill_row(const Point2& target, const std::vector<Holder>& holders,
+void ElementIntegrals::fill_row(const Point2& target, const std::vector<mesh::ElementPoint>& holders,
                                 const green::GreenTable& green, Eigen::Ref<VecXcd> row) const {
   FLOE_EXPECT(row.size() == mesh_.node_count());
   const FarRules& rules = *far_;
@@ -103,7 +103,7 @@ void ElementIntegrals::fill_row(const Point2& target, const std::vector<Holder>&
   };
 
   // Integrate the elements that hold the target
-  for (const Holder& holder : holders) {
+  for (const mesh::ElementPoint& holder : holders) {
     add_singular_points(mesh_.element_nodes(holder.element), holder.xi, holder.eta, wavenumber,
                         green.exact().depth(), points);
     add_points(holder.element);
@@ -115,7 +115,7 @@ void ElementIntegrals::fill_row(const Point2& target, const std::vector<Holder>&
     batches.emplace_back(target, green, rules, tier);
   for (Index e = 0; e < mesh_.element_count(); ++e) {
     bool held = false;
-    for (const Holder& holder : holders) held = held || holder.element == e;
+    for (const mesh::ElementPoint& holder : holders) held = held || holder.element == e;
     if (held) continue;
     const double half_edge = rules.half_edge(e);
     double gap = (rules.centre(e) - target).norm() - rules.radius(e);

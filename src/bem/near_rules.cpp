@@ -8,7 +8,7 @@
 namespace floe::bem {
 namespace {
 
-constexpr int kRadialOrder = 10;
+constexpr int kRadialOrder = 12;
 constexpr int kEdgeOrder = 12;
 constexpr int kDeepestHalving = 60;
 

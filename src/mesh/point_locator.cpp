@@ -14,6 +14,21 @@ BoxTree element_tree(const Q8Mesh& mesh) {
   return BoxTree(boxes);
 }
 
+// Where the element holds the point; or the nearest place of its edges, if that is within `tolerance`
+std::optional<ElementPoint> hold(const Q8Mesh& mesh, Index element, const Point2& point,
+                                 double tolerance) {
+  const ElementNodes nodes = mesh.element_nodes(element);
+  if (const auto found = find_parametric(nodes, point))
+    return ElementPoint{element, found->x(), found->y()};
+  for (int side = 0; side < 4; ++side) {
+    const NearestPoint nearest = nearest_point(edge_curve(nodes, side), point);
+    if (nearest.distance > tolerance) continue;
+    const Point2 parametric = edge_parametric(side, nearest.t);
+    return ElementPoint{element, parametric.x(), parametric.y()};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 PointLocator::PointLocator(const Q8Mesh& mesh)
@@ -25,20 +40,19 @@ std::optional<ElementPoint> PointLocator::locate(const Point2& point) const {
   if (!point.allFinite()) return std::nullopt;
   const std::vector<Index> candidates = tree_->find(box_around(point, tolerance_));
 
-  // Take the first element that holds the point
-  for (const Index e : candidates)
-    if (const auto found = find_parametric(mesh_.element_nodes(e), point))
-      return ElementPoint{e, found->x(), found->y()};
-
-  // Take the first that it misses by less than the tolerance, and move it onto the edge
-  for (const Index e : candidates)
-    for (int side = 0; side < 4; ++side) {
-      const NearestPoint nearest = nearest_point(edge_curve(mesh_.element_nodes(e), side), point);
-      if (nearest.distance > tolerance_) continue;
-      const Point2 parametric = edge_parametric(side, nearest.t);
-      return ElementPoint{e, parametric.x(), parametric.y()};
-    }
+  // Prefer an element that really holds the point to one that misses it by less than the tolerance
+  for (const double tolerance : {0.0, tolerance_})
+    for (const Index e : candidates)
+      if (const auto found = hold(mesh_, e, point, tolerance)) return found;
   return std::nullopt;
+}
+
+std::vector<ElementPoint> PointLocator::locate_all(const Point2& point) const {
+  std::vector<ElementPoint> holders;
+  if (!point.allFinite()) return holders;
+  for (const Index e : tree_->find(box_around(point, tolerance_)))
+    if (const auto found = hold(mesh_, e, point, tolerance_)) holders.push_back(*found);
+  return holders;
 }
 
 }  // namespace floe::mesh

@@ -39,12 +39,7 @@ class ElementIntegrals {
   const mesh::Q8Mesh& mesh() const { return mesh_; }
 
  private:
-  /// An element that holds the target, and where in it.
-  struct Holder {
-    Index element;
-    double xi, eta;
-  };
-  void fill_row(const Point2& target, const std::vector<Holder>& holders,
+  void fill_row(const Point2& target, const std::vector<mesh::ElementPoint>& holders,
                 const green::GreenTable& green, Eigen::Ref<VecXcd> row) const;
 
   const mesh::Q8Mesh& mesh_;  // view

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace floe::mesh {
 
@@ -26,6 +27,10 @@ class PointLocator {
   /// outside is moved onto the edge); nothing if it lies on no element. Where several elements hold
   /// it, the one with the lowest number is taken.
   std::optional<ElementPoint> locate(const Point2& point) const;
+
+  /// Every element that holds `point`, by rising number: several on edges and corners. The same
+  /// tolerance as `locate`; empty where that finds nothing.
+  std::vector<ElementPoint> locate_all(const Point2& point) const;
 
  private:
   const Q8Mesh& mesh_;  // view
