@@ -198,7 +198,9 @@ FluidModel prepare_fluid(const Case& data, const Meshes& meshes, const PlateMode
                                             Eigen::all),
       .at_points =
           response::interpolation_to(mesh, positions_of(data.points), names_of(data.points)),
-      .wave_points = positions_of(data.wave_points)};
+      .wave_points = positions_of(data.wave_points),
+      .heading = {},
+      .reach = 0.0};
   for (const double degrees : data.heading_deg)
     fluid.heading.push_back(degrees * std::numbers::pi / 180.0);
 
