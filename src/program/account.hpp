@@ -25,6 +25,8 @@ class Account final : public Log {
 
   /// "mesh       1621 nodes, 500 elements"
   void fact(const std::string& name, const std::string& text);
+  /// An empty line.
+  void gap() { line(""); }
   void frequency(const FrequencyResult& result);
   /// Prints the warnings that came in since the last call.
   void show_warnings();

@@ -146,7 +146,7 @@ void run_case(const RunOptions& options) {
   // Tell where everything lies
   account.show_warnings();
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  account.info("");
+  account.gap();
   account.fact("results", fmt::format("{}/ ({})", store.directory().string(),
                                       counted(static_cast<Index>(store.files().size()), "file")));
   account.fact("done", fmt::format("{}, peak memory {}", format_duration(elapsed.count()),
