@@ -12,8 +12,8 @@
 namespace floe::program {
 namespace {
 
-void tell_mesh(const std::string& name, const mesh::MeshFile& file, const MeshQuality& quality,
-               Account& account) {
+void tell_mesh(const std::string& name, const mesh::MeshFile& file,
+               const mesh::MeshQuality& quality, Account& account) {
   const mesh::Q8Mesh& mesh = file.mesh;
   account.fact(name, fmt::format("{}, {}, {}, {:.6g} m²", counted(mesh.node_count(), "node"),
                                  counted(mesh.element_count(), "element"),
@@ -22,8 +22,8 @@ void tell_mesh(const std::string& name, const mesh::MeshFile& file, const MeshQu
                                mesh.upper().x(), mesh.lower().y(), mesh.upper().y()));
   account.fact("", fmt::format("edges {:.4g} … {:.4g} m, aspect ratio up to {:.3g}, neighbours "
                                "differ by up to {:.3g}",
-                               quality.shortest_edge, quality.longest_edge, quality.largest_aspect,
-                               quality.largest_jump));
+                               quality.shortest_edge, quality.longest_edge,
+                               quality.worst_aspect_ratio, quality.largest_edge_jump));
   for (const std::string& notice : file.notices) account.notice(notice);
 }
 
@@ -68,7 +68,7 @@ void check_case(const RunOptions& options) {
   const Estimate needed = estimate(data, fluid.mesh, omp_get_max_threads());
   const double budget = numeric::memory_budget(data.memory_limit, numeric::memory_limits());
   tell_mesh("mesh", fluid, found.quality, account);
-  if (plate) tell_mesh("plate mesh", *plate, mesh_quality(plate->mesh), account);
+  if (plate) tell_mesh("plate mesh", *plate, mesh::measure_quality(plate->mesh), account);
   tell_resolution(found, account);
   tell_needs(needed, budget, account);
   for (const std::string& warning : found.warnings) account.warning(warning);
