@@ -2,10 +2,13 @@
 
 #include <floe/mesh/q8_mesh.hpp>
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace floe::mesh {
+
+class BoxTree;
 
 /// Where a point lies on a mesh.
 struct ElementPoint {
@@ -14,22 +17,25 @@ struct ElementPoint {
   double eta = 0.0;
 };
 
-/// Finds the element that holds a point. Keeps a grid of bins and a view of the mesh, which must
-/// outlive it.
+/// Finds the element that holds a point. Keeps a tree of element boxes and a view of the mesh,
+/// which must outlive it.
 class PointLocator {
  public:
   explicit PointLocator(const Q8Mesh& mesh);
 
   /// The element that holds `point`, edges included, to 1e-6 of the mesh's size (a point that near
-  /// outside is moved onto the edge); nothing if it lies on no element.
+  /// outside is moved onto the edge); nothing if it lies on no element. Where several elements hold
+  /// it, the one with the lowest number is taken.
   std::optional<ElementPoint> locate(const Point2& point) const;
+
+  /// Every element that holds `point`, by rising number: several on edges and corners. The same
+  /// tolerance as `locate`; empty where that finds nothing.
+  std::vector<ElementPoint> locate_all(const Point2& point) const;
 
  private:
   const Q8Mesh& mesh_;  // view
-  double tolerance_;
-  double bin_size_;
-  Index bins_x_, bins_y_;
-  std::vector<std::vector<Index>> bin_elements_;
+  double tolerance_;    // [m]
+  std::shared_ptr<const BoxTree> tree_;
 };
 
 }  // namespace floe::mesh

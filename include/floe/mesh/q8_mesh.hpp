@@ -16,10 +16,13 @@ class Q8Mesh {
  public:
   /// Checks and takes over `nodes` (2 × N, [m]) and `elements` (8 × E, 0-based).
   /// Clockwise elements are turned; how many is told by `reoriented_count`.
-  /// Throws MeshError naming the first ten culprits when: there is no element; a coordinate is not
-  /// finite; an index is out of range or repeated within an element; a node is unused; the Jacobian
-  /// is not positive at a Gauss point; two nodes coincide; an element stands twice or elements
-  /// overlap; an edge is shared by more than two elements; pieces touch without sharing nodes.
+  /// Throws MeshError naming the first ten culprits, numbered from 1, when: there is no element; a
+  /// coordinate is not finite or beyond 1e9 m; an index is out of range or repeated within an
+  /// element; a node is unused; det J has no single sign over an element's 3 × 3 Gauss points; two
+  /// nodes coincide (to 1e-6 of the size, or 1e-3 of the median element if that is less); an
+  /// element stands twice or elements overlap; an edge is shared by more than two elements or with
+  /// another mid-side node; a node lies on an edge of an element that does not own it (T-junction,
+  /// unmerged pieces); pieces share a node but no edge. Takes about half a microsecond a node.
   Q8Mesh(Points2 nodes, Connectivity elements);
 
   Index node_count() const { return nodes_.cols(); }

@@ -50,6 +50,18 @@ class ConvergenceError : public Error {
   using Error::Error;
 };
 
+/// A result directory cannot be used: it holds other results (exit code 9).
+class StoreError : public Error {
+ public:
+  using Error::Error;
+};
+
+/// Another run holds the result directory (exit code 10).
+class BusyError : public Error {
+ public:
+  using Error::Error;
+};
+
 }  // namespace floe
 
 #define FLOE_DETAIL_THROW(type, message) \

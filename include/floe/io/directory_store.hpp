@@ -1,0 +1,53 @@
+#pragma once
+
+#include <floe/analysis.hpp>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace floe::io {
+
+/// What to do with a floe result that is there already.
+enum class Existing {
+  kRefuse,  ///< throw StoreError
+  kReplace  ///< delete the files that floe made, and no others, when the new run begins
+};
+
+/// Results as files in one directory: CSV tables, node fields for ParaView, `run.json`
+/// (docs/howto/results.md). Tables grow in temporary files beside their names and appear complete.
+/// `run.json` is there from the beginning, lists all files of the run and says its status:
+/// "running", "complete", or why it stopped.
+class DirectoryStore final : public Store {
+ public:
+  /// Makes the directory (not its parents), locks it and looks at what it holds; writes nothing
+  /// yet. Throws FileError when it cannot be written, StoreError when it holds results or other
+  /// files of the same names, BusyError when another run holds it.
+  explicit DirectoryStore(const std::filesystem::path& directory,
+                          Existing existing = Existing::kRefuse);
+  /// Frees the directory; removes it if this run made it and nothing was stored.
+  ~DirectoryStore() override;
+  DirectoryStore(const DirectoryStore&) = delete;
+  DirectoryStore& operator=(const DirectoryStore&) = delete;
+
+  /// Keeps a view of `mesh` until `finish` or `stop`.
+  void begin(const Case& data, const mesh::Q8Mesh& mesh) override;
+  void modes(const plate::DryModes& modes) override;
+  void frequency(const FrequencyResult& result) override;
+  void finish(const std::vector<StageTime>& times) override;
+
+  /// Ends a run that did not come to `finish`: keeps the products of all finished frequencies and
+  /// writes `status` to `run.json`; with no frequency finished, removes what the run had written.
+  void stop(const std::string& status);
+
+  /// Files of the run so far, relative to the directory.
+  const std::vector<std::string>& files() const;
+  const std::filesystem::path& directory() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace floe::io

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <floe/mesh/q8_mesh.hpp>
+
+#include <string>
+
+namespace floe::mesh {
+
+/// Fingerprint of a mesh: XXH3-128 over the node and element counts, the coordinates and the
+/// connectivity as they are stored, 32 hexadecimal digits. Equal meshes with equal numbering have
+/// equal hashes; the last bit of a coordinate changes it.
+std::string mesh_hash(const Q8Mesh& mesh);
+
+}  // namespace floe::mesh

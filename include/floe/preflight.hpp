@@ -1,0 +1,55 @@
+#pragma once
+
+#include <floe/analysis.hpp>
+
+#include <string>
+#include <vector>
+
+/// What can be known about a case before anything is solved.
+namespace floe {
+
+/// Shape of a mesh's elements, by their straight edges between corners.
+struct MeshQuality {
+  double shortest_edge = 0.0;   ///< [m]
+  double longest_edge = 0.0;    ///< [m]
+  double largest_aspect = 0.0;  ///< longest over shortest edge of one element
+  double largest_jump = 0.0;    ///< ratio of the longest edges of two elements that share a node
+};
+
+MeshQuality mesh_quality(const mesh::Q8Mesh& mesh);
+
+/// How well the mesh follows the waves of one frequency. Nodes lie half an element edge apart; the
+/// mesh's longest edge counts.
+struct Resolution {
+  double omega = 0.0;                ///< [rad/s]
+  double wavelength = 0.0;           ///< of the incident wave [m]
+  double flexural_wavelength = 0.0;  ///< of the flexural-gravity wave along the plate [m]
+  double nodes_per_wavelength = 0.0;
+  double nodes_per_flexural_wavelength = 0.0;
+  double least_nodes() const {
+    return nodes_per_wavelength < nodes_per_flexural_wavelength ? nodes_per_wavelength
+                                                                : nodes_per_flexural_wavelength;
+  }
+};
+
+inline constexpr double kNodesWanted = 4.0;    ///< fewer a wavelength: a warning
+inline constexpr double kNodesRequired = 2.0;  ///< fewer: refused, unless the case allows it
+
+struct Preflight {
+  MeshQuality quality;
+  std::vector<Resolution> resolution;  ///< one a frequency of the case
+  std::vector<std::string> warnings;
+};
+
+/// Looks at the mesh (and the plate's own mesh, if it has one) against all waves of the case.
+/// Warns about fewer than 4 nodes a wavelength, elements with an aspect ratio over 20, edge lengths
+/// that jump by more than 10 between neighbours, and a mesh whose size and wavelengths differ by
+/// more than 1e4 (a mesh in millimetres).
+Preflight preflight(const Case& data, const mesh::Q8Mesh& mesh,
+                    const mesh::Q8Mesh* plate_mesh = nullptr);
+
+/// Throws InputError when a frequency has fewer than 2 nodes a wavelength and the case does not
+/// allow it.
+void require_resolution(const Case& data, const Preflight& found);
+
+}  // namespace floe

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <floe/mesh/q8_mesh.hpp>
+#include <floe/numeric/types.hpp>
+#include <span>
+#include <string>
+
+namespace floe::response {
+
+/// Interpolation from nodes to points on a plate: count × N, rows the Q8 functions at each point.
+/// Throws InputError naming the points (by `names`, one each) that lie on no element.
+SparseMatrix interpolation_to(const mesh::Q8Mesh& mesh, const Points2& points,
+                              std::span<const std::string> names);
+
+/// `count` equidistant points from `from` to `to`, both included.
+Points2 line_stations(const Point2& from, const Point2& to, int count);
+
+}  // namespace floe::response

@@ -1,0 +1,108 @@
+#include <floe/estimate.hpp>
+#include <floe/numeric/error.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace floe {
+namespace {
+
+// Rates of one current core, rounded: they make a time estimate, never a decision
+constexpr double kFactorRate = 2.5e10;     // complex LU [flop/s]
+constexpr double kKernelRate = 5e7;        // Green function and weights [evaluations/s]
+constexpr double kSparseRate = 2e9;        // sparse Cholesky and its solves [flop/s]
+constexpr double kBytesOfProgram = 5e7;    // code, libraries, tables
+constexpr double kPointsPerElement = 9.0;  // far quadrature
+constexpr double kNearWork = 2000.0;       // kernel evaluations of the near elements, one node
+constexpr double kLanczosSolves = 4.0;     // solves per mode
+
+struct Sizes {
+  double nodes, elements, modes, headings, frequencies, outputs;
+};
+
+Sizes sizes_of(const Case& data, const mesh::Q8Mesh& mesh) {
+  double stations = static_cast<double>(data.points.size()) *
+                        (1.0 + static_cast<double>(data.quantities.size())) +
+                    static_cast<double>(data.wave_points.size());
+  for (const NamedLine& line : data.lines) stations += line.count;
+  return {.nodes = static_cast<double>(mesh.node_count()),
+          .elements = static_cast<double>(mesh.element_count()),
+          .modes = static_cast<double>(data.mode_count),
+          .headings = static_cast<double>(data.heading_deg.size()),
+          .frequencies = static_cast<double>(data.omega.size()),
+          .outputs = stations};
+}
+
+// Sparse factor of a plane mesh by nested dissection: n log n entries, n^1.5 operations
+StageEstimate estimate_modes(const Sizes& s) {
+  const double unknowns = 3.0 * s.nodes;
+  const double factor = 31.0 * unknowns * std::log2(std::max(2.0, unknowns)) / 4.0;
+  const double matrices = 2.0 * 60.0 * unknowns;
+  const double lanczos = 5.0 * s.modes * unknowns;
+  const double work =
+      400.0 * std::pow(unknowns, 1.5) / 4.0 + kLanczosSolves * s.modes * 4.0 * factor;
+  return {.stage = "dry modes",
+          .memory = 16.0 * matrices + 16.0 * factor + 8.0 * lanczos,
+          .seconds = work / kSparseRate};
+}
+
+// The matrix is factored in place; right-hand sides, solutions and residuals stand beside it
+StageEstimate estimate_dense_radiation(const Sizes& s, int threads) {
+  const double assembly = s.nodes * (s.elements * kPointsPerElement + kNearWork) / kKernelRate;
+  const double factor = 8.0 / 3.0 * std::pow(s.nodes, 3) / kFactorRate;
+  const double solve = 8.0 * s.nodes * s.nodes * (s.modes + s.headings) / kFactorRate;
+  return {.stage = "radiation",
+          .memory = 16.0 * s.nodes * s.nodes + 16.0 * s.nodes * (4.0 * s.modes + 2.0 * s.headings),
+          .seconds = s.frequencies * (assembly + factor + solve) / threads};
+}
+
+StageEstimate estimate_response(const Sizes& s) {
+  const double work =
+      8.0 * s.headings * s.modes * (s.outputs + 4.0 * s.nodes) + 8.0 * std::pow(s.modes, 3);
+  return {.stage = "response",
+          .memory = 16.0 * s.headings * (s.outputs + 4.0 * s.nodes),
+          .seconds = s.frequencies * work / kSparseRate};
+}
+
+}  // namespace
+
+Estimate estimate(const Case& data, const mesh::Q8Mesh& mesh, int threads) {
+  const Sizes s = sizes_of(data, mesh);
+  Estimate needed;
+  needed.method = "dense";
+  needed.nodes = mesh.node_count();
+  needed.stages = {estimate_modes(s), estimate_dense_radiation(s, std::max(1, threads)),
+                   estimate_response(s)};
+  needed.knobs = "a coarser mesh, fewer modes, a larger --memory";
+
+  // Mode shapes and the mesh live through all stages
+  const double shared = kBytesOfProgram + 8.0 * 3.0 * s.nodes * s.modes + 300.0 * s.elements;
+  for (const StageEstimate& stage : needed.stages) {
+    needed.memory = std::max(needed.memory, shared + stage.memory);
+    needed.seconds += stage.seconds;
+  }
+  return needed;
+}
+
+void require_budget(const Estimate& needed, double budget) {
+  FLOE_VALIDATE_AS(BudgetError, needed.memory <= budget,
+                   "invalid memory need = "
+                       << format_bytes(needed.memory) << " by method " << needed.method << " at "
+                       << needed.nodes << " nodes (must be at most " << format_bytes(budget)
+                       << "; what lowers or allows it: " << needed.knobs << ")");
+}
+
+std::string format_bytes(double bytes) {
+  constexpr std::array<const char*, 6> units = {"B", "kB", "MB", "GB", "TB", "PB"};
+  std::size_t unit = 0;
+  while (bytes >= 999.5 && unit + 1 < units.size()) {
+    bytes /= 1000.0;
+    ++unit;
+  }
+  return unit == 0 ? fmt::format("{:.0f} B", bytes) : fmt::format("{:#.3g} {}", bytes, units[unit]);
+}
+
+}  // namespace floe

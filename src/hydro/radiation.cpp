@@ -1,0 +1,99 @@
+#include <algorithm>
+#include <cmath>
+#include <floe/hydro/radiation.hpp>
+#include <floe/hydro/surface_integrals.hpp>
+#include <floe/numeric/error.hpp>
+#include <floe/wave/dispersion.hpp>
+#include <numbers>
+
+namespace floe::hydro {
+namespace {
+
+// Solves A X = B and tells the largest residual of a column; `what` names a column in errors
+double solve_checked(const bem::PressureOperator& pressure_operator, MatXcd& x, const char* what,
+                     double residual_limit) {
+  const MatXcd rhs = x;
+  pressure_operator.solve(x);
+  MatXcd image(x.rows(), x.cols());
+  pressure_operator.apply(x, image);
+  double worst = 0.0;
+  for (Index j = 0; j < x.cols(); ++j) {
+    const double residual = (image.col(j) - rhs.col(j)).norm() / rhs.col(j).norm();
+    FLOE_VALIDATE_AS(ConvergenceError, residual <= residual_limit,
+                     "true residual of " << what << " " << j + 1 << " = " << residual
+                                         << " (must be at most " << residual_limit << ")");
+    worst = std::max(worst, residual);
+  }
+  return worst;
+}
+
+}  // namespace
+
+Radiation solve_radiation(const bem::PressureOperator& pressure_operator,
+                          const Eigen::Ref<const MatXd>& deflection,
+                          const SparseMatrix& surface_mass, double omega,
+                          const wave::Water& water, double residual_limit) {
+  const double weight = water.density * water.gravity;
+  Radiation result;
+  result.pressure = -weight * deflection.cast<Complex>();
+  result.true_residual =
+      solve_checked(pressure_operator, result.pressure, "radiation mode", residual_limit);
+
+  // Project on the modes, then take the hydrostatic part out
+  const MatXd weighted = surface_mass * deflection;
+  result.fluid_matrix = weighted.transpose().cast<Complex>() * result.pressure;
+  const MatXcd hydrodynamic =
+      result.fluid_matrix + (weight * (weighted.transpose() * deflection)).cast<Complex>();
+  result.added_mass = hydrodynamic.real() / (omega * omega);
+  result.damping = hydrodynamic.imag() / omega;
+  return result;
+}
+
+MatXcd solve_diffraction(const bem::PressureOperator& pressure_operator,
+                         const Eigen::Ref<const MatXcd>& elevation, const wave::Water& water,
+                         double residual_limit) {
+  MatXcd pressure = water.density * water.gravity * elevation;
+  solve_checked(pressure_operator, pressure, "wave heading", residual_limit);
+  return pressure;
+}
+
+MatXcd exciting_forces(const MatXcd& radiation_pressure, const MatXcd& wave_loads) {
+  return -(radiation_pressure.transpose() * wave_loads);
+}
+
+MatXcd exciting_forces_direct(const Eigen::Ref<const MatXd>& deflection,
+                              const SparseMatrix& surface_mass, const MatXcd& wave_pressure) {
+  const MatXd weighted = surface_mass * deflection;
+  return weighted.transpose().cast<Complex>() * wave_pressure;
+}
+
+MatXd radiated_damping(const MatXcd& radiation_pressure, const mesh::Q8Mesh& mesh, double omega,
+                       const wave::Water& water) {
+  const double k = wave::wavenumber(omega, water);
+  const double half_diagonal = 0.5 * (mesh.upper() - mesh.lower()).norm();
+  const int headings = 20 + static_cast<int>(std::ceil(2.0 * k * half_diagonal));
+  const std::vector<double> heading = full_circle(headings);
+  const MatXcd force = exciting_forces(radiation_pressure, wave_loads(mesh, k, heading));
+  const double factor = k / (8.0 * std::numbers::pi * water.density * water.gravity *
+                             wave::group_velocity(omega, water));
+  return factor * 2.0 * std::numbers::pi / headings * (force * force.adjoint()).real();
+}
+
+double energy_error(const Radiation& radiation, const MatXd& radiated, double omega) {
+  const VecXd scale = radiation.damping.diagonal().cwiseAbs().cwiseMax(
+      omega * radiation.added_mass.diagonal().cwiseAbs());
+  double worst = 0.0;
+  for (Index i = 0; i < scale.size(); ++i)
+    for (Index j = 0; j < scale.size(); ++j)
+      worst = std::max(worst, std::abs(radiation.damping(i, j) - radiated(i, j)) /
+                                  std::sqrt(scale[i] * scale[j]));
+  return worst;
+}
+
+double reciprocity_error(const Radiation& radiation, double omega) {
+  const MatXcd hydrodynamic =
+      omega * omega * radiation.added_mass + Complex(0.0, omega) * radiation.damping;
+  return (hydrodynamic - hydrodynamic.transpose()).norm() / hydrodynamic.norm();
+}
+
+}  // namespace floe::hydro

@@ -1,0 +1,89 @@
+#include "io/atomic_file.hpp"
+
+#include <floe/numeric/error.hpp>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+namespace floe::io {
+namespace {
+
+constexpr std::size_t kBuffer = 1u << 18;
+
+int open_new(const std::filesystem::path& path) {
+  return ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+}
+
+}  // namespace
+
+AtomicFile::AtomicFile(std::filesystem::path path)
+    : path_(std::move(path)), temporary_(path_.string() + ".tmp." + std::to_string(::getpid())) {
+  descriptor_ = open_new(temporary_);
+  if (descriptor_ < 0 && errno == EEXIST && ::unlink(temporary_.c_str()) == 0)
+    descriptor_ = open_new(temporary_);  // left behind by a dead process of the same number
+  if (descriptor_ < 0) fail(errno);
+}
+
+AtomicFile::~AtomicFile() {
+  if (descriptor_ < 0) return;
+  ::close(descriptor_);
+  ::unlink(temporary_.c_str());
+}
+
+void AtomicFile::write(std::string_view bytes) {
+  buffer_.append(bytes);
+  if (buffer_.size() >= kBuffer) flush();
+}
+
+void AtomicFile::mark() {
+  flush();
+  struct stat status {};
+  if (::fstat(descriptor_, &status) != 0) fail(errno);
+  good_length_ = static_cast<std::uintmax_t>(status.st_size);
+}
+
+void AtomicFile::rollback() {
+  buffer_.clear();
+  if (::ftruncate(descriptor_, static_cast<off_t>(good_length_)) != 0 ||
+      ::lseek(descriptor_, 0, SEEK_END) < 0)
+    fail(errno);
+}
+
+void AtomicFile::commit() {
+  flush();
+  if (::fsync(descriptor_) != 0 && errno != EINVAL && errno != ENOTSUP) fail(errno);
+  if (::close(std::exchange(descriptor_, -1)) != 0 ||
+      ::rename(temporary_.c_str(), path_.c_str()) != 0) {
+    const int error = errno;
+    ::unlink(temporary_.c_str());
+    fail(error);
+  }
+}
+
+void AtomicFile::flush() {
+  std::size_t done = 0;
+  while (done < buffer_.size()) {
+    const ssize_t written = ::write(descriptor_, buffer_.data() + done, buffer_.size() - done);
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) fail(errno);
+    done += static_cast<std::size_t>(written);
+  }
+  buffer_.clear();
+}
+
+void AtomicFile::fail(int error) const {
+  throw FileError("cannot write " + path_.string() + ": " + std::strerror(error));
+}
+
+void write_file(const std::filesystem::path& path, std::string_view content) {
+  AtomicFile file(path);
+  file.write(content);
+  file.commit();
+}
+
+}  // namespace floe::io

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace floe::io {
+
+/// A file that appears under its name only when it is complete: it grows as `NAME.tmp.PID` beside
+/// it and is renamed over it. A symbolic link of that name is replaced, its target left alone.
+/// Every failure throws FileError with the file's name and the system's text.
+class AtomicFile final {
+ public:
+  explicit AtomicFile(std::filesystem::path path);
+  ~AtomicFile();  ///< removes what was not committed
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+  void write(std::string_view bytes);
+  /// Hands everything to the system and remembers this length as good.
+  void mark();
+  /// Drops what was written since the last mark.
+  void rollback();
+  /// Writes out, syncs and renames.
+  void commit();
+
+ private:
+  void flush();
+  [[noreturn]] void fail(int error) const;
+
+  std::filesystem::path path_, temporary_;
+  int descriptor_ = -1;
+  std::string buffer_;
+  std::uintmax_t good_length_ = 0;
+};
+
+/// Writes a whole file that way.
+void write_file(const std::filesystem::path& path, std::string_view content);
+
+}  // namespace floe::io

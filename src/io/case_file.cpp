@@ -1,0 +1,72 @@
+#include "io/case_sections.hpp"
+#include "io/regular_file.hpp"
+
+#include <floe/io/case_file.hpp>
+#include <floe/numeric/error.hpp>
+
+#include <fmt/format.h>
+
+#include <cctype>
+
+namespace floe::io {
+namespace {
+
+constexpr std::uintmax_t kLargestFile = 16u << 20;
+
+toml::table parse(const std::string& content, const CaseSource& source) {
+  try {
+    return toml::parse(content, source.name);
+  } catch (const toml::parse_error& error) {
+    std::string text(error.description());
+    if (text.size() > 1 && !std::isupper(static_cast<unsigned char>(text[1])))
+      text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
+    source.refuse(error.source(), "not valid TOML: " + text);
+  }
+}
+
+// Sections of the format that this version cannot serve yet are refused by name
+void refuse_later_sections(const toml::table& table, const CaseSource& source) {
+  for (const toml::key* key : keys_in_file_order(table)) {
+    const bool list = key->str() == "sea";
+    if (!list && key->str() != "sea_grid") continue;
+    const std::string shown_name = list ? "[[sea]]" : "[sea_grid]";
+    source.refuse(key->source(), fmt::format("{} is not available yet in this version ({})",
+                                             shown_name, FLOE_VERSION));
+  }
+}
+
+void require_sections(const Section& root) {
+  for (const char* name : {"water", "plate", "mesh", "waves"})
+    root.require(name, fmt::format("a section [{}] is required", name));
+}
+
+}  // namespace
+
+CaseFile read_case(const std::filesystem::path& path) {
+  // Read and parse the file
+  CaseSource source{.name = path.string(), .notices = {}, .warnings = {}};
+  const std::string content = read_regular_file(path, kLargestFile);
+  FLOE_VALIDATE(content.find_first_not_of(" \t\r\n") != std::string::npos,
+                source.name << ": the file is empty (must hold a case)");
+  const toml::table table = parse(content, source);
+  refuse_later_sections(table, source);
+  const Section root(table, "", source,
+                     {"title", "water", "plate", "mesh", "modes", "waves", "solver", "output"});
+  require_sections(root);
+
+  // Check each section and take it over
+  CaseFile file;
+  file.data.title = root.text_or("title", "");
+  read_water(root, file.data);
+  read_plate(root, file.data);
+  read_meshes(root, path.parent_path(), file.data);
+  read_modes(root, file.data);
+  read_waves(root, file.data);
+  read_solver(root, file.data);
+  read_output(root, file.data);
+  file.notices = std::move(source.notices);
+  file.warnings = std::move(source.warnings);
+  return file;
+}
+
+}  // namespace floe::io

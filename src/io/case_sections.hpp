@@ -1,0 +1,29 @@
+#pragma once
+
+#include "io/toml_section.hpp"
+
+#include <floe/analysis.hpp>
+
+#include <filesystem>
+
+/// The sections of a case file, one function each, in the order in which they need each other.
+namespace floe::io {
+
+void read_water(const Section& root, Case& data);
+void read_plate(const Section& root, Case& data);  ///< needs the water
+/// `[mesh]`, and `[plate] mesh` if given; paths are taken from `folder`.
+void read_meshes(const Section& root, const std::filesystem::path& folder, Case& data);
+void read_modes(const Section& root, Case& data);
+void read_waves(const Section& root, Case& data);  ///< needs the water
+void read_solver(const Section& root, Case& data);
+void read_output(const Section& root, Case& data);  ///< needs the waves
+
+/// The keys under which waves can be named, and the frequency [rad/s] that a value of one means.
+const std::vector<std::string>& wave_axes();
+double axis_frequency(const std::string& axis, double value, const wave::Water& water);
+/// What a value on an axis must be.
+NumberRule axis_rule(const std::string& axis);
+/// What a heading must be.
+NumberRule heading_rule();
+
+}  // namespace floe::io

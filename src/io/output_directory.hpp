@@ -1,0 +1,41 @@
+#pragma once
+
+#include <floe/io/directory_store.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace floe::io {
+
+/// The directory of one run: made, locked against a second run, and checked for what it holds.
+class OutputDirectory final {
+ public:
+  OutputDirectory(std::filesystem::path path, Existing existing);
+  /// Removes the lock, and the directory if this run made it and it is empty.
+  ~OutputDirectory();
+  OutputDirectory(const OutputDirectory&) = delete;
+  OutputDirectory& operator=(const OutputDirectory&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+  /// Deletes the files of the earlier run that is to be replaced, if there is one.
+  void clear_earlier_run();
+  /// Deletes these files of this run.
+  void remove(const std::vector<std::string>& files) const;
+
+ private:
+  void make();
+  void lock();
+  void look_at_content(Existing existing);
+
+  std::filesystem::path path_;
+  bool made_ = false;
+  int lock_ = -1;
+  std::vector<std::string> earlier_files_;
+};
+
+/// Names of all tables and indices that a run writes at the top of its directory.
+const std::vector<std::string>& product_names();
+
+}  // namespace floe::io

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <floe/analysis.hpp>
+#include <floe/estimate.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace floe::io {
+
+/// What `run.json` tells about a run.
+struct RunAccount {
+  std::string status;  ///< "running", "complete", or why it stopped
+  std::string mesh_hash;
+  Index nodes = 0;
+  Index elements = 0;
+  int pieces = 0;
+  double area = 0.0;  ///< [m²]
+  Estimate plan;
+  int threads = 1;
+  std::vector<std::string> warnings;
+  std::vector<double> dry_omega;   ///< [rad/s]
+  std::vector<double> wavenumber;  ///< one a finished frequency [rad/m]
+  std::vector<FrequencyReport> frequencies;
+  std::vector<StageTime> stages;
+  std::vector<std::string> files;  ///< all files of the run, relative
+};
+
+/// The text of `run.json`. Numbers that are not finite become null, an infinite depth "inf".
+std::string run_json(const Case& data, const RunAccount& account);
+
+/// The files that a `run.json` lists as made by its run.
+/// Throws StoreError when it is not a readable account of floe.
+std::vector<std::string> files_of_run(const std::filesystem::path& account);
+
+}  // namespace floe::io

@@ -1,0 +1,165 @@
+#include "io/vtu.hpp"
+
+#include "io/atomic_file.hpp"
+#include "io/csv_table.hpp"
+
+#include <floe/numeric/error.hpp>
+
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <span>
+
+namespace floe::io {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "VTU files are written little-endian");
+
+constexpr std::size_t kBlock = 1u << 18;
+constexpr int kQuadraticQuad = 23;
+
+void append_number(std::string& bytes, std::uint64_t value) {
+  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+// Number of blocks, block size, size of the last partial block (0: it is full), compressed sizes,
+// then the compressed blocks
+std::string compressed(std::span<const std::byte> data) {
+  std::string sizes, blocks;
+  for (std::size_t at = 0; at < data.size(); at += kBlock) {
+    const std::size_t length = std::min(kBlock, data.size() - at);
+    uLongf room = compressBound(static_cast<uLong>(length));
+    std::string block(room, '\0');
+    const int status = compress2(reinterpret_cast<Bytef*>(block.data()), &room,
+                                 reinterpret_cast<const Bytef*>(data.data() + at),
+                                 static_cast<uLong>(length), Z_DEFAULT_COMPRESSION);
+    if (status != Z_OK) throw std::bad_alloc();
+    append_number(sizes, room);
+    blocks.append(block, 0, room);
+  }
+  std::string header;
+  append_number(header, (data.size() + kBlock - 1) / kBlock);
+  append_number(header, kBlock);
+  append_number(header, data.size() % kBlock);
+  return header + sizes + blocks;
+}
+
+// The XML part and the appended data grow side by side
+class VtuDocument {
+ public:
+  template <typename Number>
+  void add(const std::string& name, const char* type, int components,
+           const std::vector<Number>& values) {
+    xml_ += fmt::format(
+        "        <DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" "
+        "offset=\"{}\"/>\n",
+        type, name, components, appended_.size());
+    appended_ += compressed(std::as_bytes(std::span(values)));
+  }
+  void line(const std::string& text) { xml_ += text + "\n"; }
+  std::string text() const {
+    return xml_ + "  <AppendedData encoding=\"raw\">\n_" + appended_ +
+           "\n  </AppendedData>\n</VTKFile>\n";
+  }
+
+ private:
+  std::string xml_, appended_;
+};
+
+void require_finite(const NodeField& field, const std::filesystem::path& path) {
+  const bool finite = field.deflection.allFinite() && field.rotation_x.allFinite() &&
+                      field.rotation_y.allFinite() && field.pressure.allFinite();
+  FLOE_VALIDATE_AS(ConvergenceError, finite,
+                   "invalid node field of " << path.filename().string() << " at omega = "
+                                            << field.omega << " rad/s (must be finite)");
+}
+
+template <typename Function>
+void add_scalars(VtuDocument& document, const std::string& name, const VecXcd& values,
+                 Function part) {
+  std::vector<double> numbers(static_cast<std::size_t>(values.size()));
+  for (Index i = 0; i < values.size(); ++i) numbers[static_cast<std::size_t>(i)] = part(values[i]);
+  document.add(name, "Float64", 1, numbers);
+}
+
+void add_parts(VtuDocument& document, const std::string& name, const VecXcd& values) {
+  add_scalars(document, name + "_re", values, [](const Complex& z) { return z.real(); });
+  add_scalars(document, name + "_im", values, [](const Complex& z) { return z.imag(); });
+}
+
+void add_point_data(VtuDocument& document, const NodeField& field) {
+  document.line("      <PointData Scalars=\"w_abs\">");
+  add_parts(document, "w", field.deflection);
+  add_scalars(document, "w_abs", field.deflection, [](const Complex& z) { return std::abs(z); });
+  add_scalars(document, "w_phase", field.deflection, [](const Complex& z) { return std::arg(z); });
+  add_parts(document, "rotation_x", field.rotation_x);
+  add_parts(document, "rotation_y", field.rotation_y);
+  add_parts(document, "p", field.pressure);
+  document.line("      </PointData>");
+}
+
+void add_mesh(VtuDocument& document, const mesh::Q8Mesh& mesh) {
+  std::vector<double> points;
+  for (Index n = 0; n < mesh.node_count(); ++n)
+    points.insert(points.end(), {mesh.nodes()(0, n), mesh.nodes()(1, n), 0.0});
+  document.line("      <Points>");
+  document.add("Points", "Float64", 3, points);
+  document.line("      </Points>");
+
+  std::vector<std::int64_t> connectivity, offsets;
+  for (Index e = 0; e < mesh.element_count(); ++e) {
+    for (int a = 0; a < 8; ++a) connectivity.push_back(mesh.elements()(a, e));
+    offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
+  }
+  document.line("      <Cells>");
+  document.add("connectivity", "Int64", 1, connectivity);
+  document.add("offsets", "Int64", 1, offsets);
+  document.add("types", "UInt8", 1,
+               std::vector<std::uint8_t>(offsets.size(), std::uint8_t{kQuadraticQuad}));
+  document.line("      </Cells>");
+}
+
+}  // namespace
+
+void write_vtu(const std::filesystem::path& path, const mesh::Q8Mesh& mesh,
+               const NodeField& field) {
+  require_finite(field, path);
+  VtuDocument document;
+  document.line("<?xml version=\"1.0\"?>");
+  document.line(
+      "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+      "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">");
+  document.line("  <UnstructuredGrid>");
+  document.line("    <FieldData>");
+  for (const auto& [name, value] :
+       {std::pair{"omega", field.omega}, std::pair{"heading_deg", field.heading_deg}})
+    document.line(
+        fmt::format("      <DataArray type=\"Float64\" Name=\"{}\" NumberOfTuples=\"1\" "
+                    "format=\"ascii\">{}</DataArray>",
+                    name, shortest(value)));
+  document.line("    </FieldData>");
+  document.line(fmt::format("    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">",
+                            mesh.node_count(), mesh.element_count()));
+  add_point_data(document, field);
+  add_mesh(document, mesh);
+  document.line("    </Piece>");
+  document.line("  </UnstructuredGrid>");
+  write_file(path, document.text());
+}
+
+void write_pvd(const std::filesystem::path& path, const std::vector<PvdEntry>& entries) {
+  std::string text =
+      "<?xml version=\"1.0\"?>\n"
+      "<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
+      "  <Collection>\n";
+  for (const PvdEntry& entry : entries)
+    text += fmt::format("    <DataSet timestep=\"{}\" group=\"\" part=\"{}\" file=\"{}\"/>\n",
+                        shortest(entry.omega), entry.heading, entry.file);
+  write_file(path, text + "  </Collection>\n</VTKFile>\n");
+}
+
+}  // namespace floe::io
