@@ -1,7 +1,6 @@
 #include <plate/recovery.hpp>
 
 #include <cmath>
-#include <cstdlib>
 
 namespace floe::plate {
 namespace {
@@ -52,19 +51,12 @@ NodalForceMatrix nodal_force_matrix(const ElementNodes& nodes, const PlateProper
 
 NodalSlopeMatrix nodal_slope_matrix(const ElementNodes& nodes) {
   const Eigen::Matrix<double, 2, 8>& place = mesh::q8_parametric_nodes();
-  NodalSlopeMatrix slope = NodalSlopeMatrix::Zero();
-  static const bool direct = getenv("DIRECT");
-  if (direct) {
-    for (int a = 0; a < 8; ++a)
-      slope.middleRows<2>(2 * a) = evaluate_element(nodes, place(0, a), place(1, a)).gradient;
-    return slope;
-  }
-  for (int g = 0; g < 4; ++g) {
-    const mesh::ShapeGradient8 gradient =
-        evaluate_element(nodes, kGaussPoint * place(0, g), kGaussPoint * place(1, g)).gradient;
-    for (int a = 0; a < 8; ++a)
-      slope.middleRows<2>(2 * a) += extrapolation_weights(place(0, a), place(1, a))[g] * gradient;
-  }
+  // NOTE: the gradient at the nodes themselves. Extrapolated from the Gauss points, where a Q8
+  // gradient is most accurate, its error is the same for the shapes of long waves and up to a fifth
+  // larger for short ones (measured on dry modes against a mesh three to twelve times finer).
+  NodalSlopeMatrix slope;
+  for (int a = 0; a < 8; ++a)
+    slope.middleRows<2>(2 * a) = evaluate_element(nodes, place(0, a), place(1, a)).gradient;
   return slope;
 }
 
