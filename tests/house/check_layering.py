@@ -21,10 +21,14 @@ LEVELS = {
     "io": 8,
     "program": 9,
 }
-# Files that lie at the top of include/floe and src, and the module they belong to
+# Files that lie at the top of include/floe and src: their first word, and the module they belong to
 TOP_FILES = {"analysis": "analysis", "estimate": "analysis", "preflight": "analysis", "main": "program"}
 SOURCE_ROOTS = ["src", "fmm/src"]
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+
+
+def top_module(path):
+    return TOP_FILES.get(pathlib.PurePath(path).stem.split("_")[0])
 
 
 def module_of(path):
@@ -33,7 +37,7 @@ def module_of(path):
     if parts[0] == "fmm":
         return None if parts[1] == "tests" else "fmm"
     inner = parts[2:] if parts[:2] == ("include", "floe") else parts[1:]
-    return inner[0] if len(inner) > 1 else TOP_FILES.get(pathlib.PurePath(inner[0]).stem)
+    return inner[0] if len(inner) > 1 else top_module(inner[0])
 
 
 def included_module(root, path, quote, name):
@@ -42,7 +46,7 @@ def included_module(root, path, quote, name):
         parts = pathlib.PurePath(name).parts
         if parts[0] != "floe":
             return None
-        return (parts[1] if len(parts) > 2 else TOP_FILES.get(pathlib.PurePath(name).stem, name)), False
+        return (parts[1] if len(parts) > 2 else top_module(name) or name), False
     for base in [path.parent, *map(pathlib.PurePath, SOURCE_ROOTS)]:
         if (root / base / name).is_file():
             return module_of(pathlib.PurePath(base / name)), True
@@ -97,6 +101,8 @@ GOOD = {
     "include/floe/estimate.hpp": "#include <floe/analysis.hpp>\n",
     "src/mesh/geometry.hpp": "",
     "src/mesh/q8_mesh.cpp": '#include "mesh/geometry.hpp"\n#include "geometry.hpp"\n',
+    "src/analysis_stages.hpp": "#include <floe/hydro/radiation.hpp>\n",
+    "src/analysis.cpp": '#include "analysis_stages.hpp"\n#include <floe/estimate.hpp>\n',
     "src/main.cpp": "#include <floe/analysis.hpp>\n",
     "fmm/include/floe/fmm/kernel_sum.hpp": "#include <floe/numeric/types.hpp>\n",
     "fmm/tests/kernel_sum_test.cpp": "#include <floe/fmm/kernel_sum.hpp>\n",

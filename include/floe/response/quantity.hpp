@@ -9,7 +9,7 @@ namespace floe::response {
 
 /// What can be asked for at points, per metre of wave amplitude.
 enum class Quantity {
-  kDeflection,        ///< w [m]
+  kDeflection,        ///< w (R.1) [m]
   kVelocity,          ///< -iωw [m/s]
   kAcceleration,      ///< -ω²w [m/s²]
   kSlopeX,            ///< ∂w/∂x [-]
@@ -19,9 +19,9 @@ enum class Quantity {
   kTwistingMoment,    ///< ∫ z σxy dz [N m/m]
   kShearForceX,       ///< [N/m]
   kShearForceY,       ///< [N/m]
-  kSurfaceStressX,    ///< σxx at z = +thickness/2 [Pa]
+  kSurfaceStressX,    ///< σxx at z = +thickness/2 (R.2) [Pa]
   kSurfaceStressY,    ///< σyy at z = +thickness/2 [Pa]
-  kPressure,          ///< total pressure p on the underside [Pa]
+  kPressure,          ///< total pressure p on the underside (R.3) [Pa]
   kRelativeElevation  ///< p/ρg [m]
 };
 
