@@ -5,6 +5,7 @@
 #include <floe/bem/element_integrals.hpp>
 #include <floe/hydro/radiation.hpp>
 #include <floe/numeric/memory.hpp>
+#include <floe/plate/static_correction.hpp>
 #include <floe/response/modal_basis.hpp>
 #include <memory>
 #include <optional>
@@ -51,6 +52,8 @@ struct PlateModel {
   plate::DryModes fluid_modes;  ///< the same at the fluid's nodes
   response::ModalBasis points;
   response::ModalBasis lines;
+  std::optional<plate::StaticCorrection> correction;  ///< where section forces are wanted
+  SparseMatrix to_fluid;  ///< from the plate's own mesh to the fluid's nodes; empty if they are one
 };
 
 /// What the fluid needs at every frequency.
@@ -65,7 +68,7 @@ struct FluidModel {
 };
 
 Meshes prepare_meshes(const Case& data, Log& log);
-PlateModel prepare_plate(const Case& data, const Meshes& meshes, Log& log);
+PlateModel prepare_plate(const Case& data, const Meshes& meshes);
 FluidModel prepare_fluid(const Case& data, const Meshes& meshes, const PlateModel& plate);
 FrequencyResult solve_frequency(const Case& data, const PlateModel& plate, const FluidModel& fluid,
                                 double omega, StageClock& clock);
