@@ -6,6 +6,16 @@
 
 namespace floe::plate {
 
+/// What the computation of the modes took, summed over the pieces.
+struct DryModeReport {
+  double assembly_seconds = 0.0;
+  double factor_seconds = 0.0;
+  double iteration_seconds = 0.0;
+  Index factor_entries = 0;  ///< of the largest piece, 8 bytes each
+  Index solve_count = 0;     ///< columns solved with the factor
+  double largest_residual = 0.0;  ///< of the modes, ‖c - (λ + s)(K + sM)⁻¹M c‖ over ‖c‖, norm of M
+};
+
 /// The lowest dry modes of a free plate, (K - ω_i² M) c_i = 0, paper (4).
 /// First the rigid modes, three a piece in the order of the pieces: heave (w = 1), roll about x
 /// (w = y - y_c, θx = 1) and pitch about y (w = -(x - x_c), θy = 1), about the piece's centroid,
@@ -19,6 +29,7 @@ struct DryModes {
   int rigid_count = 0;                     ///< 3 · number of pieces
   double estimated_frequency_error = 0.0;  ///< largest relative error of ω_i, as estimated from the
                                            ///< jump of the section moments between elements
+  DryModeReport report;
   Index count() const { return omega.size(); }
 };
 

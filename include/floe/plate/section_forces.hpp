@@ -4,6 +4,8 @@
 #include <floe/numeric/types.hpp>
 #include <floe/plate/plate_properties.hpp>
 
+#include <span>
+
 namespace floe::plate {
 
 /// Rows of node n in the result of section_forces, 5n + these.
@@ -22,5 +24,19 @@ inline constexpr int kSectionForces = 5;
 /// displacements.
 MatXd section_forces(const mesh::Q8Mesh& mesh, const PlateProperties& properties,
                      const Eigen::Ref<const MatXd>& displacement);
+
+/// The same as a matrix, for some nodes: rows 5k + SectionForce of nodes[k], columns as the unknowns
+/// (3N). Applied once to the mode shapes it serves any number of modal amplitudes.
+SparseMatrix section_force_operator(const mesh::Q8Mesh& mesh, const PlateProperties& properties,
+                                    std::span<const Index> nodes);
+
+/// Rows of node n in the result of slopes, 2n + these.
+enum Slope : int {
+  kSlopeX = 0,  ///< ∂w/∂x [rad]
+  kSlopeY = 1,  ///< ∂w/∂y [rad]
+};
+
+/// Slopes of the deflection at the nodes, (2N × columns), from deflections (N × columns).
+MatXd slopes(const mesh::Q8Mesh& mesh, const Eigen::Ref<const MatXd>& deflection);
 
 }  // namespace floe::plate

@@ -1,0 +1,97 @@
+#include <floe/numeric/blas_threads.hpp>
+#include <floe/numeric/error.hpp>
+#include <floe/plate/dry_modes.hpp>
+
+#include <plate/piece_modes.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace floe::plate {
+namespace {
+
+struct ElasticMode {
+  double eigenvalue;
+  int piece;
+  Index column;
+};
+
+// The lowest `count` elastic modes over all pieces
+std::vector<ElasticMode> choose_elastic(const std::vector<PieceModes>& pieces, Index count) {
+  std::vector<ElasticMode> all;
+  for (std::size_t p = 0; p < pieces.size(); ++p)
+    for (Index c = 0; c < pieces[p].eigenvalue.size(); ++c)
+      all.push_back({pieces[p].eigenvalue[c], static_cast<int>(p), c});
+  std::stable_sort(all.begin(), all.end(), [](const ElasticMode& a, const ElasticMode& b) {
+    return a.eigenvalue < b.eigenvalue;
+  });
+  all.resize(std::min<std::size_t>(all.size(), count));
+  return all;
+}
+
+// The sign that makes the largest |w| positive; of nearly equal ones that of the first node counts
+double shape_sign(const Eigen::Ref<const VecXd>& shape) {
+  double largest = 0.0;
+  for (Index i = 0; i < shape.size(); i += 3) largest = std::max(largest, std::abs(shape[i]));
+  for (Index i = 0; i < shape.size(); i += 3)
+    if (std::abs(shape[i]) >= (1.0 - 1e-6) * largest) return shape[i] < 0.0 ? -1.0 : 1.0;
+  return 1.0;
+}
+
+void place(const Piece& piece, const Eigen::Ref<const VecXd>& local, Eigen::Ref<VecXd> global) {
+  for (std::size_t n = 0; n < piece.node.size(); ++n)
+    global.segment<3>(3 * piece.node[n]) = local.segment<3>(3 * static_cast<Index>(n));
+}
+
+void add(const DryModeReport& part, DryModeReport& whole) {
+  whole.assembly_seconds += part.assembly_seconds;
+  whole.factor_seconds += part.factor_seconds;
+  whole.iteration_seconds += part.iteration_seconds;
+  whole.factor_entries = std::max(whole.factor_entries, part.factor_entries);
+  whole.solve_count += part.solve_count;
+  whole.largest_residual = std::max(whole.largest_residual, part.largest_residual);
+}
+
+}  // namespace
+
+DryModes dry_modes(const mesh::Q8Mesh& mesh, const PlateProperties& properties,
+                   const DryModeOptions& options) {
+  const int rigid_count = 3 * mesh.piece_count();
+  const Index unknowns = kUnknownsPerNode * mesh.node_count();
+  FLOE_VALIDATE(options.count >= rigid_count && 2 * options.count <= unknowns,
+                "invalid mode count = " << options.count << " (must be from " << rigid_count
+                                        << ", three a plate, to half the " << unknowns
+                                        << " unknowns)");
+  numeric::use_one_blas_thread();
+  const Index elastic_count = options.count - rigid_count;
+  const std::vector<Piece> pieces = split_pieces(mesh);
+  std::vector<PieceModes> modes;
+  for (const Piece& piece : pieces)
+    modes.push_back(piece_modes(piece, properties, elastic_count, options.tolerance));
+  const std::vector<ElasticMode> elastic = choose_elastic(modes, elastic_count);
+
+  // Put them together
+  DryModes result;
+  result.rigid_count = rigid_count;
+  result.omega = VecXd::Zero(options.count);
+  result.shape = MatXd::Zero(unknowns, options.count);
+  result.modal_mass = MatXd::Identity(options.count, options.count);
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    for (int c = 0; c < 3; ++c)
+      place(pieces[p], modes[p].rigid.col(c), result.shape.col(3 * p + c));
+    result.modal_mass.block<3, 3>(3 * p, 3 * p) = modes[p].modal_mass;
+    add(modes[p].report, result.report);
+  }
+  for (Index i = 0; i < elastic_count; ++i) {
+    const ElasticMode& mode = elastic[i];
+    const Index column = rigid_count + i;
+    result.omega[column] = std::sqrt(mode.eigenvalue);
+    place(pieces[mode.piece], modes[mode.piece].elastic.col(mode.column), result.shape.col(column));
+    result.shape.col(column) *= shape_sign(result.shape.col(column));
+  }
+  return result;
+}
+
+}  // namespace floe::plate

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <plate/lanczos.hpp>
+
+namespace floe::plate {
+
+/// What the search for elastic modes needs to know of a plate; all views.
+struct ElasticProblem {
+  const PlateMatrices& plate;
+  const NodeMass& mass;
+  const ShiftedFactor& factor;
+  double shift;              ///< s > 0 of K + sM [rad²/s²]
+  const MatXd& rigid_basis;  ///< M-orthonormal
+};
+
+/// The lowest `count` elastic modes, multiple ones with all their copies. Throws ConvergenceError
+/// with how many converged.
+Eigenpairs elastic_modes(const ElasticProblem& problem, Index count, double tolerance);
+
+/// All of them by a dense solution: for small plates, and the slow twin of the above.
+Eigenpairs dense_elastic_modes(const PlateMatrices& plate, double shift, const MatXd& rigid_basis);
+
+/// Residuals of the pairs, ‖c - (λ + s)(K + sM)⁻¹M c‖ in the norm of M, for cᵀMc = 1: bounds of the
+/// relative error of λ + s.
+VecXd inverse_residuals(const ElasticProblem& problem, const Eigenpairs& pairs);
+
+}  // namespace floe::plate

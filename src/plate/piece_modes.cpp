@@ -1,0 +1,126 @@
+#include <floe/numeric/error.hpp>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <plate/assembly.hpp>
+#include <plate/elastic_modes.hpp>
+#include <plate/piece_modes.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace floe::plate {
+namespace {
+
+class Stopwatch final {
+ public:
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    return std::chrono::duration<double>(now - std::exchange(start_, now)).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+MatXd orthonormal_basis(const MatXd& columns, const MatXd& modal_mass) {
+  MatXd inverse = MatXd::Identity(columns.cols(), columns.cols());
+  modal_mass.llt().matrixU().solveInPlace(inverse);
+  return columns * inverse;
+}
+
+// A Rayleigh quotient near the first elastic eigenvalue: the smallest over the deflections of
+// constant curvature w = (a x² + 2b xy + c y²)/2 with rotations that leave no shear, the strain
+// energy in closed form (a distorted mesh would make it too large), the kinetic one from M with
+// the rigid part taken out
+double estimate_first_eigenvalue(const Piece& piece, const AreaMoments& area,
+                                 const PlateProperties& properties, const NodeMass& mass,
+                                 const MatXd& rigid_basis) {
+  MatXd bent(mass.size(), 3);
+  for (Index n = 0; n < piece.nodes.cols(); ++n) {
+    const double x = piece.nodes(0, n) - area.centroid.x();
+    const double y = piece.nodes(1, n) - area.centroid.y();
+    bent.middleRows<3>(3 * n) << 0.5 * x * x, x * y, 0.5 * y * y,  //
+        0.0, x, y,                                                 //
+        -x, -y, 0.0;
+  }
+  subtract_combination(rigid_basis, inner_products(rigid_basis, mass * bent), bent);
+  const MatXd kinetic = inner_products(bent, mass * bent);
+  const double nu = properties.poisson_ratio;
+  Eigen::Matrix3d strain;
+  strain << 1.0, 0.0, nu, 0.0, 2.0 * (1.0 - nu), 0.0, nu, 0.0, 1.0;
+  strain *= properties.bending_rigidity() * area.area;
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatXd> ritz(MatXd(strain), kinetic,
+                                                             Eigen::EigenvaluesOnly);
+  return ritz.eigenvalues()[0];
+}
+
+// The residual to expect of a converged mode: the tolerance, or what rounding in K leaves
+double expected_residual(const ElasticProblem& problem, double eigenvalue, double tolerance) {
+  double largest = 0.0;  // of K over M, deflections
+  for (Index n = 0; n < problem.mass.size(); n += kUnknownsPerNode)
+    largest =
+        std::max(largest, problem.plate.stiffness.coeff(n, n) / problem.plate.mass.coeff(n, n));
+  return 1e2 * tolerance +
+         1e2 * std::numeric_limits<double>::epsilon() * largest / (eigenvalue + problem.shift);
+}
+
+bool is_small(Index unknowns, Index elastic_count) {
+  return unknowns <= 600 || (unknowns <= 3000 && 10 * elastic_count > unknowns);
+}
+
+}  // namespace
+
+PieceModes piece_modes(const Piece& piece, const PlateProperties& properties, Index elastic_count,
+                       double tolerance) {
+  PieceModes modes;
+  Stopwatch watch;
+  const PlateMatrices plate = assemble(piece.nodes, piece.elements, properties);
+  const NodeMass mass(plate.mass);
+  modes.report.assembly_seconds = watch.lap();
+
+  // Make the rigid modes
+  const AreaMoments area = area_moments(piece);
+  modes.rigid = rigid_modes(piece.nodes, area.centroid, mass);
+  modes.modal_mass = inner_products(modes.rigid, mass * modes.rigid);
+  const MatXd rigid_basis = orthonormal_basis(modes.rigid, modes.modal_mass);
+  elastic_count = std::min(elastic_count, mass.size() - rigid_basis.cols());
+  if (elastic_count == 0) {
+    modes.elastic.resize(mass.size(), 0);
+    return modes;
+  }
+  const double shift = estimate_first_eigenvalue(piece, area, properties, mass, rigid_basis);
+
+  // Find the elastic ones
+  Eigenpairs pairs;
+  if (is_small(mass.size(), elastic_count)) {
+    pairs = dense_elastic_modes(plate, shift, rigid_basis);
+    modes.report.iteration_seconds = watch.lap();
+  } else {
+    const ShiftedFactor factor(plate, shift);
+    modes.report.factor_entries = factor.entry_count();
+    modes.report.factor_seconds = watch.lap();
+    const ElasticProblem problem{plate, mass, factor, shift, rigid_basis};
+    pairs = elastic_modes(problem, elastic_count, tolerance);
+
+    // Verify each
+    const VecXd residual = inverse_residuals(problem, pairs);
+    modes.report.solve_count = pairs.solve_count + residual.size();
+    modes.report.largest_residual = residual.maxCoeff();
+    for (Index i = 0; i < residual.size(); ++i)
+      FLOE_VALIDATE_AS(ConvergenceError,
+                       residual[i] <= expected_residual(problem, pairs.value[i], tolerance),
+                       "dry modes converged = " << i << " of " << elastic_count
+                                                << " elastic modes (the next has residual "
+                                                << residual[i] << ")");
+    modes.report.iteration_seconds = watch.lap();
+  }
+  modes.eigenvalue = pairs.value.head(elastic_count);
+  modes.elastic = pairs.vector.leftCols(elastic_count);
+  return modes;
+}
+
+}  // namespace floe::plate

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <floe/plate/mindlin.hpp>
+
+#include <memory>
+
+namespace floe::plate {
+
+/// Sparse Cholesky factor of K + sM, s > 0 (CHOLMOD, supernodal; nested dissection of the nodes).
+class ShiftedFactor final {
+ public:
+  /// Throws BudgetError when memory does not suffice or the factor is too large, and
+  /// ConvergenceError when K + sM is not positive definite in floating point.
+  ShiftedFactor(const PlateMatrices& plate, double shift);
+  ~ShiftedFactor();
+  ShiftedFactor(ShiftedFactor&&) noexcept;
+  ShiftedFactor& operator=(ShiftedFactor&&) noexcept;
+
+  Index size() const;
+  Index entry_count() const;  ///< entries of the factor, the zeros inside supernodes included
+
+  /// x = (K + sM)⁻¹ rhs, any number of columns.
+  void solve(const Eigen::Ref<const MatXd>& rhs, Eigen::Ref<MatXd> x) const;
+
+ private:
+  struct Cholmod;
+  std::unique_ptr<Cholmod> cholmod_;
+};
+
+}  // namespace floe::plate
