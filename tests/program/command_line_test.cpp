@@ -123,6 +123,20 @@ TEST(Program, RefusesCoarseMeshesUnlessAllowed) {
   EXPECT_THAT(names_in(folder.path()), ElementsAre("case.toml"));
 }
 
+TEST(Program, RefusesPointsThatLieOnNoPlate) {
+  const TestFolder folder;
+  for (const char* output : {"points = { P1 = [0, 31] }",
+                             "lines = { c = { from = [0, 0], to = [151, 0], count = 3 } }"}) {
+    folder.write("case.toml", kCaseText + "[output]\n" + output + "\n");
+    for (const char* command : {"run", "check"}) {
+      const ProgramResult result = run_floe(folder, std::string(command) + " case.toml");
+      EXPECT_EQ(result.code, 3) << command << " " << output;
+      EXPECT_THAT(result.error, HasSubstr("must lie on a plate"));
+    }
+  }
+  EXPECT_THAT(names_in(folder.path()), ElementsAre("case.toml"));
+}
+
 TEST(Program, RefusesWhatExceedsTheMemoryWithSix) {
   const TestFolder folder;
   folder.write("case.toml", with("nx = 4, ny = 2", "nx = 100, ny = 40"));
