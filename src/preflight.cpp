@@ -1,6 +1,7 @@
 #include <floe/hydro/flexural_gravity.hpp>
 #include <floe/numeric/error.hpp>
 #include <floe/preflight.hpp>
+#include <floe/response/stations.hpp>
 #include <floe/wave/dispersion.hpp>
 
 #include <fmt/format.h>
@@ -97,6 +98,26 @@ void require_resolution(const Case& data, const Preflight& found) {
                                              << " (must be at least " << kNodesRequired
                                              << "; refine the mesh, lower the frequencies or give "
                                                 "--allow-coarse)");
+}
+
+void require_points_on_plates(const Case& data, const mesh::Q8Mesh& mesh) {
+  std::vector<std::string> names;
+  std::vector<Point2> positions;
+  for (const NamedPoint& point : data.points) {
+    names.push_back(point.name);
+    positions.push_back(point.position);
+  }
+  for (const NamedLine& line : data.lines) {
+    const Points2 stations = response::line_stations(line.from, line.to, line.count);
+    for (int i = 0; i < line.count; ++i) {
+      names.push_back(fmt::format("{} of line {}", i + 1, line.name));
+      positions.emplace_back(stations.col(i));
+    }
+  }
+  Points2 points(2, static_cast<Index>(positions.size()));
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    points.col(static_cast<Index>(i)) = positions[i];
+  static_cast<void>(response::interpolation_to(mesh, points, names));
 }
 
 }  // namespace floe

@@ -43,4 +43,7 @@ Preflight preflight(const Case& data, const mesh::Q8Mesh& mesh,
 /// allow it.
 void require_resolution(const Case& data, const Preflight& found);
 
+/// Throws InputError naming the points and line stations of the case that lie on no plate.
+void require_points_on_plates(const Case& data, const mesh::Q8Mesh& mesh);
+
 }  // namespace floe
