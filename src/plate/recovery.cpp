@@ -31,8 +31,8 @@ Eigen::Vector4d extrapolation_weights(double xi, double eta) {
   const Eigen::Matrix<double, 2, 8>& corner = mesh::q8_parametric_nodes();
   Eigen::Vector4d weight;
   for (int g = 0; g < 4; ++g)
-    weight[g] = 0.25 * (1.0 + corner(0, g) * xi / kGaussPoint) *
-                (1.0 + corner(1, g) * eta / kGaussPoint);
+    weight[g] =
+        0.25 * (1.0 + corner(0, g) * xi / kGaussPoint) * (1.0 + corner(1, g) * eta / kGaussPoint);
   return weight;
 }
 

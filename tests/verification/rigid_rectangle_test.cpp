@@ -1,14 +1,14 @@
-#include <gtest/gtest.h>
-
 #include <csv.hpp>
 #include <expect.hpp>
+#include <gtest/gtest.h>
+#include <rigid_plate.hpp>
+
 #include <map>
 #include <numbers>
-#include <rigid_plate.hpp>
 #include <string>
 
-// The rigid zero-draft rectangle 300 × 60 m in 58.5 m of water, 3 m elements, against an independent
-// spectral solution.
+// The rigid zero-draft rectangle 300 × 60 m in 58.5 m of water, 3 m elements, against an
+// independent spectral solution.
 namespace floe {
 namespace {
 
