@@ -275,6 +275,21 @@ TEST(Gmsh, RefusesCountsThatDoNotFit) {
                     HasSubstr("no more fit in the file")));
 }
 
+TEST(Gmsh, RefusesBlocksLargerThanTheWhole) {
+  EXPECT_THAT(error_of(replaced(square_41(), "0 1 0 4", "0 1 0 9")),
+              HasSubstr("a.msh:6: invalid nodes in block = 9 (must be at most 8)"));
+  EXPECT_THAT(error_of(replaced(square_41(), "2 1 16 1", "2 1 16 2")),
+              HasSubstr("a.msh:27: invalid elements in block = 2 (must be at most 1)"));
+  // The first block of the binary file: type 15, one point
+  const std::string head = "$Elements\n22\n\x0f";
+  const std::string bytes = bytes_of(data_file("sector_quad8_22_bin.msh"));
+  const std::size_t count = bytes.find(head) + head.size() + 3;
+  ASSERT_EQ(bytes[count], '\1');
+  std::string spoilt = bytes;
+  spoilt[count] = 23;
+  EXPECT_THAT(error_of(spoilt), HasSubstr("invalid elements in block = 23 (must be 1 to 22)"));
+}
+
 TEST(Gmsh, RefusesBadFlagsAndTypes) {
   EXPECT_THAT(error_of(replaced(square_41(), "0 1 0 4", "4 1 0 4")), HasSubstr("entity dimension"));
   EXPECT_THAT(error_of(replaced(square_41(), "0 1 0 4", "0 1 2 4")), HasSubstr("parametric flag"));

@@ -178,17 +178,20 @@ TEST(Q8Mesh, RefusesUnmergedNodes) {
   EXPECT_THAT(message, AllOf(HasSubstr("coincident nodes = 5"), HasSubstr("at (1, -1) m")));
 }
 
-// Pairs on both sides of a cell boundary of the search, in all directions, must be seen
+// Pairs on both sides of a cell boundary of the search, in all directions, must be seen: the pair
+// is a little nearer than the tolerance, and the cells are shifted by parts of it
 TEST(Q8Mesh, FindsCoincidentNodesWhereverTheyLie) {
-  for (int i = 0; i < 32; ++i) {
-    const double angle = 2.0 * std::numbers::pi * i / 32;
-    MeshArrays arrays = rectangle_arrays(2, 2, 2.0, 2.0);
-    const MeshArrays single = rectangle_arrays(1, 1, 0.1, 0.1);
-    const Point2 shift(1.05 + 1.9e-6 * std::cos(angle), 1.05 + 1.9e-6 * std::sin(angle));
-    EXPECT_THAT(error_of(joined(arrays, shifted(single, shift.x(), shift.y()))),
-                HasSubstr("coincident nodes = 1"))
-        << angle;
-  }
+  for (int i = 0; i < 32; ++i)
+    for (int shift = 0; shift < 10; ++shift) {
+      const double angle = 2.0 * std::numbers::pi * i / 32, edge = 1.0 + 1.7e-7 * shift;
+      const MeshArrays arrays = rectangle_arrays(2, 2, 2.0 * edge, 2.0 * edge);
+      const MeshArrays single = rectangle_arrays(1, 1, 0.1, 0.1);
+      const double dx = edge + 0.05 + 1.9e-6 * std::cos(angle);
+      const double dy = edge + 0.05 + 1.9e-6 * std::sin(angle);
+      EXPECT_THAT(error_of(joined(arrays, shifted(single, dx, dy))),
+                  HasSubstr("coincident nodes = 1"))
+          << angle << " " << shift;
+    }
 }
 
 TEST(Q8Mesh, RefusesDuplicateElements) {
@@ -273,6 +276,20 @@ TEST(Q8Mesh, RefusesTJunctions) {
   EXPECT_THAT(error_of(shared), HasSubstr("hanging nodes = 1"));
 }
 
+// Two elements that bulge towards each other and share the mid-side nodes where they meet
+TEST(Q8Mesh, RefusesAMidSideNodeOfTwoEdges) {
+  MeshArrays arrays =
+      joined(rectangle_arrays(1, 1, 2.0, 2.0), shifted(rectangle_arrays(1, 1, 2.0, 2.0), 0.0, 2.4));
+  const Index kept = arrays.elements(6, 0), gone = arrays.elements(4, 1);
+  arrays.nodes(1, kept) = 1.2;
+  arrays.elements(4, 1) = kept;
+  for (Index& n : arrays.elements.reshaped())
+    if (n == arrays.nodes.cols() - 1) n = gone;
+  arrays.nodes.col(gone) = arrays.nodes.rightCols(1).eval();
+  arrays.nodes.conservativeResize(2, arrays.nodes.cols() - 1);
+  EXPECT_THAT(error_of(arrays), HasSubstr("hanging nodes = 1"));
+}
+
 TEST(Q8Mesh, RefusesTJunctionsOnCurvedEdges) {
   // The map is quadratic in x, so that both rims lie on one parabola
   const MeshArrays flat = joined(rectangle_arrays(1, 1, 2.0, 2.0),
@@ -326,35 +343,50 @@ TEST(Q8Mesh, RefusesASheetThatLiesOnItself) {
   EXPECT_THAT(error_of(spiral), HasSubstr("overlapping elements = "));
 }
 
-// Eight corners of 90 degrees around one node: a fan of two full turns
+// Quadrilaterals around the origin, one between any two neighbouring spokes. Node 0 is the origin,
+// 1 + 2i the end of spoke i and 2 + 2i its middle.
+MeshArrays fan(const std::vector<Point2>& spokes, bool closed) {
+  const Index count = static_cast<Index>(spokes.size()), quads = closed ? count : count - 1;
+  MeshArrays arrays{Points2::Zero(2, 1 + 2 * count + 3 * quads), Connectivity(8, quads)};
+  for (Index i = 0; i < count; ++i) {
+    arrays.nodes.col(1 + 2 * i) = spokes[i];
+    arrays.nodes.col(2 + 2 * i) = 0.5 * spokes[i];
+  }
+  for (Index i = 0; i < quads; ++i) {
+    const Index next = (i + 1) % count, own = 1 + 2 * count + 3 * i;
+    arrays.nodes.col(own) = spokes[i] + spokes[next];
+    arrays.nodes.col(own + 1) = spokes[i] + 0.5 * spokes[next];
+    arrays.nodes.col(own + 2) = 0.5 * spokes[i] + spokes[next];
+    arrays.elements.col(i) << 0, 1 + 2 * i, own, 1 + 2 * next, 2 + 2 * i, own + 1, own + 2,
+        2 + 2 * next;
+  }
+  return arrays;
+}
+
+Point2 polar(double radius, double degrees) {
+  const double angle = degrees * std::numbers::pi / 180.0;
+  return {radius * std::cos(angle), radius * std::sin(angle)};
+}
+
+// Spokes grow, so that no two nodes of the two turns lie at one place
 TEST(Q8Mesh, RefusesAFanOfTwoTurnsAroundANode) {
-  const double step = std::numbers::pi / 2.0;
-  Points2 nodes(2, 1 + 4 * 8);
-  nodes.col(0).setZero();
-  Connectivity elements(8, 8);
-  const auto spoke = [](int i) { return 1 + 4 * ((i + 8) % 8); };
-  for (int i = 0; i < 8; ++i) {
-    const Point2 here(std::cos(i * step), std::sin(i * step));
-    const Point2 next(std::cos((i + 1) * step), std::sin((i + 1) * step));
-    const double stretch = 1.0 + 0.1 * i;  // no two nodes of the two turns at one place
-    const double stretch_next = 1.0 + 0.1 * ((i + 1) % 8);
-    const Point2 a = stretch * here, b = stretch_next * next;
-    nodes.col(spoke(i)) = a;
-    nodes.col(spoke(i) + 1) = 0.5 * a;
-    nodes.col(spoke(i) + 2) = a + b;
-    nodes.col(spoke(i) + 3) = a + 0.5 * b;
-    elements.col(i) << 0, spoke(i), spoke(i) + 2, spoke(i + 1), spoke(i) + 1, spoke(i) + 3, -1,
-        spoke(i + 1) + 1;
-  }
-  // The edge from the far corner to the next spoke has a middle of its own
-  Points2 all(2, 41);
-  all << nodes, Points2::Zero(2, 8);
-  for (int i = 0; i < 8; ++i) {
-    elements(6, i) = 33 + i;
-    all.col(33 + i) = 0.5 * (all.col(elements(2, i)) + all.col(elements(3, i)));
-  }
-  EXPECT_THAT(error_of({all, elements}),
+  std::vector<Point2> spokes;
+  for (int i = 0; i < 8; ++i) spokes.push_back(polar(1.0 + 0.1 * i, 90.0 * i));
+  EXPECT_THAT(error_of(fan(spokes, true)),
               AllOf(HasSubstr("nodes with overlapping elements = 1"), HasSubstr("720 degrees")));
+  spokes.resize(4);
+  EXPECT_EQ(error_of(fan(spokes, true)), "");
+}
+
+// The two sides of a wedge of 20 degrees, bent so that they cross away from their common corner
+TEST(Q8Mesh, RefusesEdgesThatCrossBeyondACommonNode) {
+  MeshArrays arrays =
+      fan({polar(2.0, 0.0), polar(2.0, 110.0), polar(2.0, 220.0), polar(2.0, 340.0)}, false);
+  EXPECT_EQ(error_of(arrays), "");
+  arrays.nodes.col(2) += Point2(0.0, -0.3);
+  arrays.nodes.col(8) += Point2(-0.4, 0.1);
+  EXPECT_THAT(error_of(arrays),
+              AllOf(HasSubstr("overlapping elements = 1"), HasSubstr("elements 1 and 3")));
 }
 
 TEST(Q8Mesh, AcceptsPiecesOneMillimetreApart) {
@@ -410,6 +442,20 @@ TEST(Q8Mesh, AcceptsFloatsOneHundredKilometresApart) {
 
 TEST(Q8Mesh, AcceptsAMeshFarFromTheOrigin) {
   EXPECT_EQ(error_of(shifted(ring_arrays(20.0, 30.0, 24, 2), 5e5, 6e6)), "");
+}
+
+TEST(Q8Mesh, RefusesAMeshTooFarFromTheOriginForItsDigits) {
+  EXPECT_EQ(error_of(shifted(rectangle_arrays(2, 2, 64.0, 64.0), 6e8, 0.0)), "");
+  EXPECT_THAT(error_of(shifted(rectangle_arrays(2, 2, 32.0, 32.0), 6e8, 0.0)),
+              HasSubstr("shift the mesh to the origin"));
+}
+
+// Two elements of 1e-7 m and one of 5e8 m: the small ones are below what coordinates can tell
+TEST(Q8Mesh, TakesElementsBelowTheResolutionOfTheMeshForPoints) {
+  const MeshArrays small =
+      mapped(rectangle_arrays(2, 1, 2.0, 1.0), [](const Point2& p) { return Point2(1e-7 * p); });
+  const MeshArrays large = shifted(rectangle_arrays(1, 1, 5e8, 5e8), 5e8, 5e8);
+  EXPECT_THAT(error_of(joined(small, large)), HasSubstr("coincident nodes"));
 }
 
 TEST(Q8Mesh, NumbersPiecesByTheirFirstElement) {
