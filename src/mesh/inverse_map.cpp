@@ -96,7 +96,7 @@ std::optional<Point2> find_parametric(const ElementNodes& points, const Point2& 
     if (!found || found->cwiseAbs().maxCoeff() > 1.0 + kSlack) return std::nullopt;
     return found->cwiseMax(-1.0).cwiseMin(1.0);
   };
-  if (const auto found = search(Point2::Zero())) return found;
+  if (auto found = search(Point2::Zero())) return found;
 
   // Quarter the parametric square, and again, where the point can be; start from the small squares
   const auto search_part = [&](const auto& self, const Point2& centre,
@@ -106,7 +106,7 @@ std::optional<Point2> find_parametric(const ElementNodes& points, const Point2& 
     if (half_width <= kSmallestPart) return search(centre);
     for (const double y : {-0.5, 0.5})
       for (const double x : {-0.5, 0.5})
-        if (const auto found = self(self, centre + half_width * Point2(x, y), 0.5 * half_width))
+        if (auto found = self(self, centre + half_width * Point2(x, y), 0.5 * half_width))
           return found;
     return std::nullopt;
   };
