@@ -25,8 +25,8 @@ inline constexpr int kSectionForces = 5;
 MatXd section_forces(const mesh::Q8Mesh& mesh, const PlateProperties& properties,
                      const Eigen::Ref<const MatXd>& displacement);
 
-/// The same as a matrix, for some nodes: rows 5k + SectionForce of nodes[k], columns as the unknowns
-/// (3N). Applied once to the mode shapes it serves any number of modal amplitudes.
+/// The same as a matrix, for some nodes: rows 5k + SectionForce of nodes[k], columns as the
+/// unknowns (3N). Applied once to the mode shapes it serves any number of modal amplitudes.
 SparseMatrix section_force_operator(const mesh::Q8Mesh& mesh, const PlateProperties& properties,
                                     std::span<const Index> nodes);
 
