@@ -49,13 +49,13 @@ StageEstimate estimate_modes(const Sizes& s) {
           .seconds = work / kSparseRate};
 }
 
-// The matrix is factored in place; right-hand sides, solutions and residuals stand beside it
+// The matrix and its factors; right-hand sides, solutions and residuals stand beside them
 StageEstimate estimate_dense_radiation(const Sizes& s, int threads) {
   const double assembly = s.nodes * (s.elements * kPointsPerElement + kNearWork) / kKernelRate;
   const double factor = 8.0 / 3.0 * std::pow(s.nodes, 3) / kFactorRate;
   const double solve = 8.0 * s.nodes * s.nodes * (s.modes + s.headings) / kFactorRate;
   return {.stage = "radiation",
-          .memory = 16.0 * s.nodes * s.nodes + 16.0 * s.nodes * (4.0 * s.modes + 2.0 * s.headings),
+          .memory = 32.0 * s.nodes * s.nodes + 16.0 * s.nodes * (4.0 * s.modes + 2.0 * s.headings),
           .seconds = s.frequencies * (assembly + factor + solve) / threads};
 }
 
@@ -102,7 +102,8 @@ std::string format_bytes(double bytes) {
     bytes /= 1000.0;
     ++unit;
   }
-  return unit == 0 ? fmt::format("{:.0f} B", bytes) : fmt::format("{:#.3g} {}", bytes, units[unit]);
+  const int decimals = unit == 0 || bytes >= 99.95 ? 0 : bytes >= 9.995 ? 1 : 2;
+  return fmt::format("{:.{}f} {}", bytes, decimals, units[unit]);
 }
 
 }  // namespace floe

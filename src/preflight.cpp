@@ -1,6 +1,7 @@
 #include <floe/hydro/flexural_gravity.hpp>
 #include <floe/numeric/error.hpp>
 #include <floe/preflight.hpp>
+#include <floe/response/stations.hpp>
 #include <floe/wave/dispersion.hpp>
 
 #include <fmt/format.h>
@@ -32,15 +33,17 @@ std::string name_coarse(const std::vector<Resolution>& resolution, double bound,
   return fmt::format("omega = {} rad/s ({} of {} frequencies)", range, count, resolution.size());
 }
 
-void warn_about_shape(const MeshQuality& quality, std::vector<std::string>& warnings) {
-  if (quality.largest_aspect > kLargestAspect)
-    warnings.push_back(fmt::format("slender elements: aspect ratio = {:.3g} (up to {} is good)",
-                                   quality.largest_aspect, kLargestAspect));
-  if (quality.largest_jump > kLargestJump)
+void warn_about_shape(const mesh::MeshQuality& quality, std::vector<std::string>& warnings) {
+  if (quality.worst_aspect_ratio > kLargestAspect)
     warnings.push_back(
-        fmt::format("uneven mesh: neighbouring elements differ in edge length by a factor of "
+        fmt::format("slender elements: aspect ratio = {:.3g} in element {} (up to {} is good)",
+                    quality.worst_aspect_ratio, quality.worst_aspect_element, kLargestAspect));
+  if (quality.largest_edge_jump > kLargestJump)
+    warnings.push_back(
+        fmt::format("uneven mesh: neighbouring elements {} and {} differ in size by a factor of "
                     "{:.3g} (up to {} is good)",
-                    quality.largest_jump, kLargestJump));
+                    quality.edge_jump_element, quality.edge_jump_neighbour,
+                    quality.largest_edge_jump, kLargestJump));
 }
 
 void warn_about_waves(const std::vector<Resolution>& resolution, double size,
@@ -64,37 +67,13 @@ void warn_about_waves(const std::vector<Resolution>& resolution, double size,
 
 }  // namespace
 
-MeshQuality mesh_quality(const mesh::Q8Mesh& mesh) {
-  MeshQuality quality;
-  quality.shortest_edge = std::numeric_limits<double>::infinity();
-  VecXd longest_at_node = VecXd::Zero(mesh.node_count());
-  VecXd shortest_at_node = VecXd::Constant(mesh.node_count(), quality.shortest_edge);
-  for (Index e = 0; e < mesh.element_count(); ++e) {
-    const auto node = mesh.elements().col(e);
-    double shortest = std::numeric_limits<double>::infinity(), longest = 0.0;
-    for (int a = 0; a < 4; ++a) {
-      const double edge = (mesh.nodes().col(node[a]) - mesh.nodes().col(node[(a + 1) % 4])).norm();
-      shortest = std::min(shortest, edge);
-      longest = std::max(longest, edge);
-    }
-    quality.shortest_edge = std::min(quality.shortest_edge, shortest);
-    quality.longest_edge = std::max(quality.longest_edge, longest);
-    quality.largest_aspect = std::max(quality.largest_aspect, longest / shortest);
-    for (int a = 0; a < 8; ++a) {
-      longest_at_node[node[a]] = std::max(longest_at_node[node[a]], longest);
-      shortest_at_node[node[a]] = std::min(shortest_at_node[node[a]], longest);
-    }
-  }
-  quality.largest_jump = longest_at_node.cwiseQuotient(shortest_at_node).maxCoeff();
-  return quality;
-}
-
 Preflight preflight(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Mesh* plate_mesh) {
   Preflight found;
-  found.quality = mesh_quality(mesh);
+  found.quality = mesh::measure_quality(mesh);
   const double spacing = 0.5 * found.quality.longest_edge;
   const double plate_spacing =
-      plate_mesh ? std::max(spacing, 0.5 * mesh_quality(*plate_mesh).longest_edge) : spacing;
+      plate_mesh ? std::max(spacing, 0.5 * mesh::measure_quality(*plate_mesh).longest_edge)
+                 : spacing;
   for (const double omega : data.omega) {
     const double wavelength = 2.0 * std::numbers::pi / wave::wavenumber(omega, data.water);
     const double flexural =
@@ -119,6 +98,26 @@ void require_resolution(const Case& data, const Preflight& found) {
                                              << " (must be at least " << kNodesRequired
                                              << "; refine the mesh, lower the frequencies or give "
                                                 "--allow-coarse)");
+}
+
+void require_points_on_plates(const Case& data, const mesh::Q8Mesh& mesh) {
+  std::vector<std::string> names;
+  std::vector<Point2> positions;
+  for (const NamedPoint& point : data.points) {
+    names.push_back(point.name);
+    positions.push_back(point.position);
+  }
+  for (const NamedLine& line : data.lines) {
+    const Points2 stations = response::line_stations(line.from, line.to, line.count);
+    for (int i = 0; i < line.count; ++i) {
+      names.push_back(fmt::format("{} of line {}", i + 1, line.name));
+      positions.emplace_back(stations.col(i));
+    }
+  }
+  Points2 points(2, static_cast<Index>(positions.size()));
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    points.col(static_cast<Index>(i)) = positions[i];
+  static_cast<void>(response::interpolation_to(mesh, points, names));
 }
 
 }  // namespace floe

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <floe/mesh/gmsh.hpp>
 #include <floe/mesh/q8_mesh.hpp>
 #include <floe/mesh/rectangle.hpp>
 #include <floe/numeric/types.hpp>
@@ -18,6 +19,9 @@ namespace floe {
 
 /// Where a mesh comes from: the generator, or a file.
 using MeshSource = std::variant<mesh::RectangleOptions, std::filesystem::path>;
+
+/// Makes or reads it, with notices about what was left out or turned.
+mesh::MeshFile load_mesh(const MeshSource& source);
 
 /// A named point on the plate or on the water [m].
 struct NamedPoint {

@@ -1,22 +1,13 @@
 #pragma once
 
 #include <floe/analysis.hpp>
+#include <floe/mesh/mesh_quality.hpp>
 
 #include <string>
 #include <vector>
 
 /// What can be known about a case before anything is solved.
 namespace floe {
-
-/// Shape of a mesh's elements, by their straight edges between corners.
-struct MeshQuality {
-  double shortest_edge = 0.0;   ///< [m]
-  double longest_edge = 0.0;    ///< [m]
-  double largest_aspect = 0.0;  ///< longest over shortest edge of one element
-  double largest_jump = 0.0;    ///< ratio of the longest edges of two elements that share a node
-};
-
-MeshQuality mesh_quality(const mesh::Q8Mesh& mesh);
 
 /// How well the mesh follows the waves of one frequency. Nodes lie half an element edge apart; the
 /// mesh's longest edge counts.
@@ -36,7 +27,7 @@ inline constexpr double kNodesWanted = 4.0;    ///< fewer a wavelength: a warnin
 inline constexpr double kNodesRequired = 2.0;  ///< fewer: refused, unless the case allows it
 
 struct Preflight {
-  MeshQuality quality;
+  mesh::MeshQuality quality;
   std::vector<Resolution> resolution;  ///< one a frequency of the case
   std::vector<std::string> warnings;
 };
@@ -51,5 +42,8 @@ Preflight preflight(const Case& data, const mesh::Q8Mesh& mesh,
 /// Throws InputError when a frequency has fewer than 2 nodes a wavelength and the case does not
 /// allow it.
 void require_resolution(const Case& data, const Preflight& found);
+
+/// Throws InputError naming the points and line stations of the case that lie on no plate.
+void require_points_on_plates(const Case& data, const mesh::Q8Mesh& mesh);
 
 }  // namespace floe

@@ -57,12 +57,10 @@ ElementIntegrals::ElementIntegrals(const mesh::Q8Mesh& mesh, const IntegralOptio
     : mesh_(mesh), locator_(mesh), node_elements_(mesh.node_count()) {
   FLOE_VALIDATE(options.tolerance >= 1e-12 && options.tolerance <= 1e-2,
                 "invalid integral tolerance = " << options.tolerance << " (must be 1e-12 to 1e-2)");
-  far_ = std::make_unique<FarRules>(mesh, options.tolerance);
+  far_ = std::make_shared<const FarRules>(mesh, options.tolerance);
   for (Index e = 0; e < mesh.element_count(); ++e)
     for (int a = 0; a < 8; ++a) node_elements_[mesh.elements()(a, e)].emplace_back(e, a);
 }
-
-ElementIntegrals::~ElementIntegrals() = default;
 
 void ElementIntegrals::node_row(Index node, const green::GreenTable& green,
                                 Eigen::Ref<VecXcd> row) const {

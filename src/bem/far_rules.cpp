@@ -15,11 +15,12 @@ double wave_error(int n, double ka) {
   return std::exp(log_factor) * n * (2 * n - 1) * 2.0 * std::pow(ka, 2 * n - 2);
 }
 
-// A pole at distance z (in half edges, from the middle) bounds the error by ρ^{-2n} on the ellipse
-// ρ = z + √(z²-1); the quadratic shape function grows by ρ² on it
-double pole_distance(int n, double tolerance) {
+// Gap, in half edges, from which n points are enough (B.3). A target abreast of the cell, the least
+// favourable place, puts a pole at ±i gap: the error is ρ^{-2n}, ρ = gap + √(gap²+1), and the quadratic
+// shape function grows by ρ² on that ellipse
+double smallest_gap(int n, double tolerance) {
   const double rho = std::pow(tolerance, -1.0 / (2 * n - 2));
-  return 0.5 * (rho + 1.0 / rho);
+  return 0.5 * (rho - 1.0 / rho);
 }
 
 // Largest ka that n points integrate: the error above, solved for ka
@@ -41,7 +42,7 @@ FarRules::FarRules(const mesh::Q8Mesh& mesh, double tolerance)
       half_edge_(mesh.element_count()),
       radius_(mesh.element_count()) {
   for (int tier = 0; tier < kTiers; ++tier) {
-    least_gap_[tier] = pole_distance(kOrders[tier], tolerance) - 1.0;
+    least_gap_[tier] = smallest_gap(kOrders[tier], tolerance);
     largest_phase_[tier] = largest_phase(kOrders[tier], tolerance);
   }
 

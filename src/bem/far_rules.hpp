@@ -12,7 +12,7 @@ namespace floe::bem {
 /// order a distance needs.
 class FarRules {
  public:
-  static constexpr std::array<int, 6> kOrders{2, 3, 4, 5, 6, 8};
+  static constexpr std::array<int, 7> kOrders{2, 3, 4, 5, 6, 8, 12};
   static constexpr int kTiers = static_cast<int>(kOrders.size());
   /// Answer of the tier functions where even the highest order does not do: subdivide.
   static constexpr int kTooNear = kTiers;

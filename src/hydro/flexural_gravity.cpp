@@ -4,7 +4,9 @@
 
 #include <boost/math/tools/toms748_solve.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace floe::hydro {
 
@@ -16,7 +18,9 @@ double flexural_wavenumber(double omega, const wave::Water& water,
   const double bending = properties.bending_rigidity() / water.density;
   const double spring = water.gravity - properties.surface_mass() / water.density * omega * omega;
   const auto excess = [&](double k) {
-    return (bending * std::pow(k, 4) + spring) * k * std::tanh(k * water.depth) - omega * omega;
+    // NOTE: tanh(k h) would be NaN for k = 0 and h = inf
+    const double inertia = std::isinf(water.depth) ? k : k * std::tanh(k * water.depth);
+    return (bending * std::pow(k, 4) + spring) * inertia - omega * omega;
   };
 
   // Bracket the root: where the first factor is positive the left side only rises

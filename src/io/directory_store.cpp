@@ -82,7 +82,6 @@ void DirectoryStore::Impl::frequency(const FrequencyResult& result) {
   tables_->mark();
   account.frequencies.push_back(result.report);
   account.wavenumber.push_back(result.wavenumber);
-  write_account();
 }
 
 PvdEntry DirectoryStore::Impl::entry_of(const NodeField& field) const {

@@ -1,6 +1,8 @@
 #include "io/result_tables.hpp"
 
-#include <floe/numeric/error.hpp>
+#include <floe/response/stations.hpp>
+
+#include <stdexcept>
 
 namespace floe::io {
 namespace {
@@ -33,15 +35,15 @@ void add_points(CsvTable& table, const std::vector<NamedPoint>& points, const Ca
 void add_lines(CsvTable& table, const Case& data, const FrequencyResult& result) {
   for (Index h = 0; h < result.line_deflection.cols(); ++h) {
     Index station = 0;
-    for (const NamedLine& line : data.lines)
+    for (const NamedLine& line : data.lines) {
+      const Points2 at = response::line_stations(line.from, line.to, line.count);
       for (int i = 0; i < line.count; ++i, ++station) {
-        const double share = static_cast<double>(i) / (line.count - 1);
-        const Point2 at = i + 1 == line.count ? line.to : line.from + share * (line.to - line.from);
-        table << result.omega << data.heading_deg[static_cast<std::size_t>(h)] << line.name
-              << share * (line.to - line.from).norm() << at.x() << at.y()
-              << result.line_deflection(station, h);
+        const double s = (line.to - line.from).norm() * i / (line.count - 1);
+        table << result.omega << data.heading_deg[static_cast<std::size_t>(h)] << line.name << s
+              << at(0, i) << at(1, i) << result.line_deflection(station, h);
         table.end_row();
       }
+    }
   }
 }
 

@@ -42,6 +42,20 @@ bool segments_meet(const EdgeCurve& a, const EdgeCurve& b) {
   return straddles(a, b) && straddles(b, a);
 }
 
+bool split_curves_meet(const EdgeCurve& a, const EdgeCurve& b, double flatness, int depth) {
+  constexpr int kDeepest = 24;  // each curve bulges 4^12 times less by then
+  if (!a.box(0.0).touches(b.box(0.0))) return false;
+  if (chord_separates(a, b) || chord_separates(b, a)) return false;
+  const double bulge_a = bulge(a), bulge_b = bulge(b);
+  if (std::max(bulge_a, bulge_b) <= flatness || depth == kDeepest) return segments_meet(a, b);
+
+  // Halve the curve that bulges more
+  const EdgeCurve& split = bulge_a >= bulge_b ? a : b;
+  const EdgeCurve& other = bulge_a >= bulge_b ? b : a;
+  return split_curves_meet(split.part(0.0, 0.5), other, flatness, depth + 1) ||
+         split_curves_meet(split.part(0.5, 1.0), other, flatness, depth + 1);
+}
+
 }  // namespace
 
 Point2 EdgeCurve::point(double t) const {
@@ -131,16 +145,7 @@ NearestPoint nearest_point(const EdgeCurve& curve, const Point2& point) {
 }
 
 bool curves_meet(const EdgeCurve& a, const EdgeCurve& b, double flatness) {
-  if (!a.box(0.0).touches(b.box(0.0))) return false;
-  if (chord_separates(a, b) || chord_separates(b, a)) return false;
-  const double bulge_a = bulge(a), bulge_b = bulge(b);
-  if (std::max(bulge_a, bulge_b) <= flatness) return segments_meet(a, b);
-
-  // Halve the curve that bulges more
-  const EdgeCurve& split = bulge_a >= bulge_b ? a : b;
-  const EdgeCurve& other = bulge_a >= bulge_b ? b : a;
-  return curves_meet(split.part(0.0, 0.5), other, flatness) ||
-         curves_meet(split.part(0.5, 1.0), other, flatness);
+  return split_curves_meet(a, b, flatness, 0);
 }
 
 }  // namespace floe::mesh

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <floe/numeric/types.hpp>
+#include <floe/mesh/gmsh.hpp>
 
 #include <array>
 #include <cstdint>
@@ -32,5 +32,8 @@ struct GmshContent {
 /// Parses the bytes of a .msh file, 2.2 or 4.1, ASCII or binary. Throws MeshError that names the
 /// file and the line (binary: the byte).
 GmshContent parse_gmsh(std::string_view bytes, const std::string& file_name);
+
+/// `read_gmsh` of a file with that name and content.
+MeshFile read_gmsh_bytes(std::string_view bytes, const std::string& file_name);
 
 }  // namespace floe::mesh

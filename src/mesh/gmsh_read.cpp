@@ -134,16 +134,13 @@ std::vector<std::string> make_notices(const GmshContent& content, const Quads& q
 
 }  // namespace
 
-MeshFile read_gmsh(const std::filesystem::path& path) {
-  // Read the file and recognise what it is
-  const std::string content_of_file = read_regular_file(path);
-  std::string_view bytes = content_of_file;
+MeshFile read_gmsh_bytes(std::string_view bytes, const std::string& file_name) {
+  // Recognise what it is
   if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);  // UTF-8 byte order mark
   const std::string foreign = foreign_format(bytes);
-  FLOE_VALIDATE_AS(
-      MeshError, foreign.empty(),
-      path.string() << ": found " << foreign << " (must be a Gmsh mesh, MSH 2.2 or 4.1)");
-  const GmshContent content = parse_gmsh(bytes, path.string());
+  FLOE_VALIDATE_AS(MeshError, foreign.empty(),
+                   file_name << ": found " << foreign << " (must be a Gmsh mesh, MSH 2.2 or 4.1)");
+  const GmshContent content = parse_gmsh(bytes, file_name);
 
   // Make it a mesh
   try {
@@ -153,8 +150,12 @@ MeshFile read_gmsh(const std::filesystem::path& path) {
     std::vector<std::string> notices = make_notices(content, quads);
     return {Q8Mesh(plane_nodes(quads.nodes), std::move(quads.elements)), std::move(notices)};
   } catch (const MeshError& error) {
-    throw MeshError(path.string() + ": " + error.what());
+    throw MeshError(file_name + ": " + error.what());
   }
+}
+
+MeshFile read_gmsh(const std::filesystem::path& path) {
+  return read_gmsh_bytes(read_regular_file(path), path.string());
 }
 
 }  // namespace floe::mesh

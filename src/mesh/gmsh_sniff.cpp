@@ -66,8 +66,12 @@ std::string foreign_format(std::string_view bytes) {
   for (const Signature& magic : kMagic)
     if (bytes.starts_with(magic.start)) return magic.name;
   const std::string statement = first_statement(bytes);
-  for (const Signature& word : kFirstWords)
-    if (statement.starts_with(word.start)) return word.name;
+  for (const Signature& word : kFirstWords) {
+    const std::string_view rest =
+        std::string_view(statement).substr(std::min(word.start.size(), statement.size()));
+    const bool whole_word = rest.empty() || !std::isalnum(static_cast<unsigned char>(rest.front()));
+    if (statement.starts_with(word.start) && whole_word) return word.name;
+  }
   return statement.starts_with("$") ? "" : "file of unknown format";
 }
 

@@ -6,7 +6,10 @@
 namespace floe::mesh {
 namespace {
 
-// Corner coordinates of `count` cells over [-extent/2, extent/2], edges shrinking to both ends
+constexpr double kMostElements = 1e8;
+
+// Corner coordinates of `count` cells over [-extent/2, extent/2], edges shrinking to both ends;
+// symmetric about 0 to the last bit
 VecXd graded_corners(double extent, int count, double grading) {
   VecXd edge(count);
   const double half = 0.5 * (count - 1);
@@ -15,13 +18,17 @@ VecXd graded_corners(double extent, int count, double grading) {
     edge[i] = std::pow(grading, -from_middle);
   }
   edge *= extent / edge.sum();
+
+  // Go from the middle to the right, and mirror
   VecXd corner(count + 1);
-  corner[0] = -0.5 * extent;
-  for (int i = 0; i < count; ++i) corner[i + 1] = corner[i] + edge[i];
-  // Equal cells and the symmetry about 0 are kept to the last bit
-  for (int i = 0; i <= count; ++i)
-    if (grading == 1.0) corner[i] = extent * (static_cast<double>(i) / count - 0.5);
+  double place = count % 2 == 0 ? 0.0 : 0.5 * edge[count / 2];
+  for (int i = (count + 1) / 2; i <= count; ++i) {
+    // NOTE: equal cells come from a quotient of integers, whose error does not add up
+    corner[i] = grading == 1.0 ? extent * (2.0 * i - count) / (2.0 * count) : place;
+    if (i < count) place += edge[i];
+  }
   corner[count] = 0.5 * extent;
+  for (int i = 0; 2 * i < count; ++i) corner[i] = -corner[count - i];
   return corner;
 }
 
@@ -39,6 +46,9 @@ Q8Mesh make_rectangle(const RectangleOptions& options) {
   FLOE_VALIDATE(options.nx >= 1 && options.ny >= 1,
                 "invalid rectangle nx, ny = " << options.nx << ", " << options.ny
                                               << " elements (must be at least 1)");
+  FLOE_VALIDATE(static_cast<double>(options.nx) * options.ny <= kMostElements,
+                "invalid rectangle nx, ny = " << options.nx << ", " << options.ny
+                                              << " elements (must be at most 1e8 in all)");
   FLOE_VALIDATE(options.grading >= 1.0 && options.grading <= 100.0,
                 "invalid rectangle grading = " << options.grading << " (must be 1 to 100)");
 

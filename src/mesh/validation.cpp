@@ -16,8 +16,12 @@ namespace {
 
 constexpr double kLargestCoordinate = 1e9;  // [m]
 constexpr double kSmallestSize = 1e-6;      // [m]
+// Coordinates relative to the size, beyond which too few digits are left within the mesh
+constexpr double kFarthest = 1e7;
 // Least det J relative to the square of the element's extent: rounding of collinear nodes
 constexpr double kSmallestJacobian = 1e-10;
+// Least tolerance relative to the size: what rounding leaves of coordinates
+constexpr double kLeastTolerance = 1e-14;
 
 void check_coordinates(const Points2& nodes) {
   Culprits culprits;
@@ -97,6 +101,11 @@ void check_arrays(const Points2& nodes, const Connectivity& elements) {
   FLOE_VALIDATE_AS(
       MeshError, size >= kSmallestSize,
       "invalid mesh: size = " << size << " m (must be at least " << kSmallestSize << ")");
+  const double farthest = nodes.cwiseAbs().maxCoeff();
+  FLOE_VALIDATE_AS(MeshError, farthest <= kFarthest * size,
+                   "invalid mesh: largest coordinate = "
+                       << farthest << " m (must be at most 1e7 times the size, which is " << size
+                       << " m: shift the mesh to the origin)");
 }
 
 Index orient_elements(const Points2& nodes, Connectivity& elements) {
@@ -129,7 +138,7 @@ double merge_tolerance(const Points2& nodes, const Connectivity& elements, doubl
   }
   const auto median = extent.begin() + static_cast<std::ptrdiff_t>(extent.size() / 2);
   std::nth_element(extent.begin(), median, extent.end());
-  return std::min(kRelativeTolerance * size, 1e-3 * *median);
+  return std::max(std::min(kRelativeTolerance * size, 1e-3 * *median), kLeastTolerance * size);
 }
 
 void check_coincident_nodes(const Points2& nodes, double tolerance) {

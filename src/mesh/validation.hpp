@@ -8,7 +8,8 @@ namespace floe::mesh {
 /// Q8Mesh. Each throws MeshError naming the first ten culprits, numbered from 1.
 
 /// There are elements; coordinates are finite and within 1e9 m; indices are in range and not
-/// repeated within an element; every node is used; the extent is 1e-6 m at least.
+/// repeated within an element; every node is used; the extent is at least 1e-6 m and 1e-7 of the
+/// largest coordinate.
 void check_arrays(const Points2& nodes, const Connectivity& elements);
 
 /// Turns clockwise elements, demands det J > 0 at every 3 × 3 Gauss point, and returns the number

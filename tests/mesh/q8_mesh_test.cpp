@@ -7,7 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <set>
+#include <numbers>
+#include <string>
 
 namespace floe::mesh {
 namespace {
@@ -327,8 +328,6 @@ TEST(Q8Mesh, RefusesASheetThatLiesOnItself) {
 
 // Eight corners of 90 degrees around one node: a fan of two full turns
 TEST(Q8Mesh, RefusesAFanOfTwoTurnsAroundANode) {
-  MeshArrays fan = ring_arrays(1.0, 3.0, 8, 1, 2);
-  // Pull the inner rim's corners to the centre: merge them into one node and drop the rim's edges
   const double step = std::numbers::pi / 2.0;
   Points2 nodes(2, 1 + 4 * 8);
   nodes.col(0).setZero();
@@ -347,7 +346,7 @@ TEST(Q8Mesh, RefusesAFanOfTwoTurnsAroundANode) {
     elements.col(i) << 0, spoke(i), spoke(i) + 2, spoke(i + 1), spoke(i) + 1, spoke(i) + 3, -1,
         spoke(i + 1) + 1;
   }
-  // The fourth edge's middle needs a node of its own
+  // The edge from the far corner to the next spoke has a middle of its own
   Points2 all(2, 41);
   all << nodes, Points2::Zero(2, 8);
   for (int i = 0; i < 8; ++i) {

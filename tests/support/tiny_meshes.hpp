@@ -5,7 +5,7 @@
 
 #include <cmath>
 #include <numbers>
-#include <utility>
+#include <vector>
 
 /// Small meshes that tests share, as raw arrays so that a test can spoil them before they are
 /// validated.
@@ -50,13 +50,12 @@ inline MeshArrays joined(const MeshArrays& a, const MeshArrays& b) {
   return both;
 }
 
-/// Ring of `around` × `across` curved elements between two radii [m]. `turns` > 1 winds the ring
-/// around the centre more than once, so that it lies on itself.
-inline MeshArrays ring_arrays(double inner, double outer, int around, int across, int turns = 1) {
+/// Ring of `around` × `across` curved elements between two radii [m].
+inline MeshArrays ring_arrays(double inner, double outer, int around, int across) {
   const MeshArrays strip = rectangle_arrays(around, across, 1.0, 1.0);
   MeshArrays ring = mapped(strip, [&](const Point2& p) {
     const double radius = inner + (outer - inner) * (0.5 + p.y());
-    const double angle = -2.0 * std::numbers::pi * turns * p.x();
+    const double angle = -2.0 * std::numbers::pi * p.x();
     return Point2(radius * std::cos(angle), radius * std::sin(angle));
   });
 

@@ -28,7 +28,6 @@ class ElementIntegrals {
  public:
   /// Keeps a view of the mesh, which must outlive it. Frequency-independent.
   explicit ElementIntegrals(const mesh::Q8Mesh& mesh, const IntegralOptions& options = {});
-  ~ElementIntegrals();
 
   /// row[m] = 𝒢_m at node `node`; `row` has one entry a node and is overwritten.
   void node_row(Index node, const green::GreenTable& green, Eigen::Ref<VecXcd> row) const;
@@ -44,7 +43,7 @@ class ElementIntegrals {
 
   const mesh::Q8Mesh& mesh_;  // view
   mesh::PointLocator locator_;
-  std::unique_ptr<const FarRules> far_;
+  std::shared_ptr<const FarRules> far_;
   std::vector<std::vector<std::pair<Index, int>>> node_elements_;  // element, local number
 };
 

@@ -15,7 +15,7 @@ struct CaseFile {
   std::vector<std::string> warnings;  ///< something looks like a mistake
 };
 
-/// Reads a case file (TOML, SI units, degrees in keys that end in `_deg`; docs/howto/case_file.md).
+/// Reads a case file (TOML, SI units, degrees in keys that end in `_deg`).
 /// Every key is checked; relative paths are taken from the case file's folder; wavenumbers and
 /// wavelengths become frequencies by (W.2).
 /// Throws InputError `CASE.toml:line:column: what = value unit (what is required)`, also when the

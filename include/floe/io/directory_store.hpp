@@ -15,10 +15,10 @@ enum class Existing {
   kReplace  ///< delete the files that floe made, and no others, when the new run begins
 };
 
-/// Results as files in one directory: CSV tables, node fields for ParaView, `run.json`
-/// (docs/howto/results.md). Tables grow in temporary files beside their names and appear complete.
-/// `run.json` is there from the beginning, lists all files of the run and says its status:
-/// "running", "complete", or why it stopped.
+/// Results as files in one directory: CSV tables, node fields for ParaView, `run.json`. Tables grow
+/// in temporary files beside their names and appear complete. `run.json` is there from the
+/// beginning, lists all files of the run and says its status: "running", "complete", or why it
+/// stopped.
 class DirectoryStore final : public Store {
  public:
   /// Makes the directory (not its parents), locks it and looks at what it holds; writes nothing

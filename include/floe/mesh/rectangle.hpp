@@ -14,8 +14,10 @@ struct RectangleOptions {
   double grading = 1.0;
 };
 
-/// Mesh of the rectangle, centred on the origin, edges along x and y. With equal elements it has
-/// (2 nx + 1)(2 ny + 1) - nx ny nodes. Throws InputError on a non-positive size or count.
+/// Mesh of the rectangle, centred on the origin, edges along x and y. It has
+/// (2 nx + 1)(2 ny + 1) - nx ny nodes. Nodes are numbered row by row from the lower left, elements
+/// too; the mesh is symmetric about both axes to the last bit. Throws InputError on a size or count
+/// that is not positive, and on more than 1e8 elements.
 Q8Mesh make_rectangle(const RectangleOptions& options);
 
 }  // namespace floe::mesh

@@ -5,30 +5,38 @@
 #include <floe/plate/dry_modes.hpp>
 #include <floe/plate/plate_properties.hpp>
 #include <floe/response/quantity.hpp>
+
 #include <map>
 #include <vector>
 
 namespace floe::response {
 
-/// Values of the modes at points of the plate, so that every quantity that is linear in the modal
-/// amplitudes ξ costs one small product a wave.
+/// Whether a quantity follows from the displacement alone; pressure and relative elevation do not.
+bool is_structural(Quantity quantity);
+
+/// Whether it is a moment, a shear force or a stress: those profit from the static correction.
+bool is_section_force(Quantity quantity);
+
+/// Values of the modes at points of the plate, so that every structural quantity costs one small
+/// product a wave (R.1).
 class ModalBasis {
  public:
-  /// `interpolation` (points × N) is that of stations.hpp on the mesh of the modes. Pressure and
-  /// relative elevation are not linear in ξ alone; asking for them here is ignored.
+  /// `interpolation` (points × N) is that of stations.hpp on the mesh of the modes. Quantities that
+  /// are not structural are passed over.
   ModalBasis(const mesh::Q8Mesh& mesh, const plate::PlateProperties& properties,
              const plate::DryModes& modes, const SparseMatrix& interpolation,
              const std::vector<Quantity>& quantities);
 
-  /// The quantity at all points for amplitudes ξ (q × headings) at ω: points × headings.
+  /// A structural quantity at all points for amplitudes ξ (q × headings) at ω: points × headings.
   MatXcd evaluate(Quantity quantity, double omega, const MatXcd& amplitudes) const;
 
-  /// Whether a quantity is linear in ξ alone.
-  static bool is_modal(Quantity quantity);
+  /// A section force at all points of a displacement (3N × headings): points × headings.
+  MatXcd evaluate_displacement(Quantity quantity, const MatXcd& displacement) const;
 
  private:
   double loss_factor_;
-  std::map<Quantity, MatXd> values_;  // points × q, without the factor of time and of loss
+  std::map<Quantity, MatXd> values_;               // points × q, without factors of time and loss
+  std::map<Quantity, SparseMatrix> section_force_; // points × 3N
 };
 
 }  // namespace floe::response

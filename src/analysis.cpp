@@ -1,0 +1,33 @@
+#include <floe/analysis.hpp>
+
+#include "analysis_stages.hpp"
+
+namespace floe {
+
+void analyse(const Case& data, Log& log, Store& store) {
+  StageClock clock;
+
+  // Read the meshes and hold them against the waves and the memory
+  const Meshes meshes = clock.time("mesh", [&] { return prepare_meshes(data, log); });
+  store.begin(data, meshes.fluid);
+
+  // Find how the plate moves when it is dry
+  log.progress(0.0, "dry modes");
+  const PlateModel plate = clock.time("dry modes", [&] { return prepare_plate(data, meshes); });
+  store.modes(plate.modes);
+
+  // Prepare what no frequency changes
+  const FluidModel fluid = clock.time("geometry", [&] { return prepare_fluid(data, meshes, plate); });
+
+  // Solve one frequency after the other
+  const double count = static_cast<double>(data.omega.size());
+  for (std::size_t i = 0; i < data.omega.size(); ++i) {
+    log.progress(static_cast<double>(i) / count,
+                 "frequency " + std::to_string(i + 1) + " of " + std::to_string(data.omega.size()));
+    store.frequency(solve_frequency(data, plate, fluid, data.omega[i], clock));
+  }
+  log.progress(1.0, "done");
+  store.finish(clock.times());
+}
+
+}  // namespace floe

@@ -1,0 +1,133 @@
+#include "analysis_stages.hpp"
+
+#include <floe/estimate.hpp>
+#include <floe/hydro/surface_integrals.hpp>
+#include <floe/numeric/error.hpp>
+#include <floe/plate/mindlin.hpp>
+#include <floe/preflight.hpp>
+#include <floe/response/stations.hpp>
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <algorithm>
+#include <numbers>
+
+namespace floe {
+namespace {
+
+std::vector<std::string> names_of(const std::vector<NamedPoint>& points) {
+  std::vector<std::string> names;
+  for (const NamedPoint& point : points) names.push_back(point.name);
+  return names;
+}
+
+Points2 positions_of(const std::vector<NamedPoint>& points) {
+  Points2 positions(2, static_cast<Index>(points.size()));
+  for (std::size_t i = 0; i < points.size(); ++i)
+    positions.col(static_cast<Index>(i)) = points[i].position;
+  return positions;
+}
+
+// Stations of all lines, one after the other
+SparseMatrix interpolation_to_lines(const mesh::Q8Mesh& mesh, const std::vector<NamedLine>& lines) {
+  std::vector<std::string> names;
+  std::vector<Point2> positions;
+  for (const NamedLine& line : lines) {
+    const Points2 stations = response::line_stations(line.from, line.to, line.count);
+    for (int i = 0; i < line.count; ++i) {
+      names.push_back(fmt::format("{} of line {}", i + 1, line.name));
+      positions.emplace_back(stations.col(i));
+    }
+  }
+  Points2 all(2, static_cast<Index>(positions.size()));
+  for (std::size_t i = 0; i < positions.size(); ++i) all.col(static_cast<Index>(i)) = positions[i];
+  return response::interpolation_to(mesh, all, names);
+}
+
+// From the nodes of the plate's own mesh to those of the fluid's
+SparseMatrix interpolation_to_nodes(const mesh::Q8Mesh& plate, const mesh::Q8Mesh& fluid) {
+  std::vector<std::string> names;
+  for (Index node = 0; node < fluid.node_count(); ++node)
+    names.push_back(fmt::format("of fluid node {}", node + 1));
+  return response::interpolation_to(plate, fluid.nodes(), names);
+}
+
+// Reads a mesh and passes its notices on
+mesh::Q8Mesh load_told(const MeshSource& source, Log& log) {
+  mesh::MeshFile file = load_mesh(source);
+  for (const std::string& notice : file.notices) log.notice(notice);
+  return std::move(file.mesh);
+}
+
+bool wants_section_forces(const Case& data) {
+  return std::any_of(data.quantities.begin(), data.quantities.end(), response::is_section_force);
+}
+
+}  // namespace
+
+void StageClock::add(const std::string& stage, std::chrono::duration<double> elapsed) {
+  auto at = std::find_if(times_.begin(), times_.end(),
+                         [&](const StageTime& time) { return time.stage == stage; });
+  if (at == times_.end()) at = times_.insert(times_.end(), {stage, 0.0, 0.0});
+  at->seconds += elapsed.count();
+  at->peak_memory = numeric::peak_memory();
+}
+
+Meshes prepare_meshes(const Case& data, Log& log) {
+  Meshes meshes{load_told(data.mesh, log), std::nullopt};
+  if (!data.plate_mesh.empty()) meshes.own_plate = load_told(data.plate_mesh.front(), log);
+
+  // Refuse what is too coarse or too large before anything is computed
+  const Preflight found =
+      preflight(data, meshes.fluid, meshes.own_plate ? &*meshes.own_plate : nullptr);
+  for (const std::string& warning : found.warnings) log.warning(warning);
+  require_resolution(data, found);
+  require_budget(estimate(data, meshes.fluid, omp_get_max_threads()),
+                 numeric::memory_budget(data.memory_limit, numeric::memory_limits()));
+  return meshes;
+}
+
+PlateModel prepare_plate(const Case& data, const Meshes& meshes) {
+  const mesh::Q8Mesh& mesh = meshes.plate();
+  const SparseMatrix at_points =
+      response::interpolation_to(mesh, positions_of(data.points), names_of(data.points));
+  const SparseMatrix at_lines = interpolation_to_lines(mesh, data.lines);
+  plate::DryModes modes = plate::dry_modes(mesh, data.plate, {.count = data.mode_count});
+  plate::DryModes fluid_modes =
+      meshes.own_plate ? plate::interpolate_modes(modes, mesh, meshes.fluid) : modes;
+  response::ModalBasis points(mesh, data.plate, modes, at_points, data.quantities);
+  response::ModalBasis lines(mesh, data.plate, modes, at_lines, {});
+  std::optional<plate::StaticCorrection> correction;
+  if (wants_section_forces(data)) correction.emplace(mesh, data.plate, modes);
+  SparseMatrix from_plate;
+  if (meshes.own_plate) from_plate = interpolation_to_nodes(mesh, meshes.fluid);
+  return {std::move(modes),  std::move(fluid_modes), std::move(points),
+          std::move(lines), std::move(correction),  std::move(from_plate)};
+}
+
+FluidModel prepare_fluid(const Case& data, const Meshes& meshes, const PlateModel& plate) {
+  const mesh::Q8Mesh& mesh = meshes.fluid;
+  FluidModel fluid{
+      .integrals = bem::ElementIntegrals(mesh),
+      .surface_mass = hydro::surface_mass(mesh),
+      .deflection = plate.fluid_modes.shape(Eigen::seq(0, Eigen::last, plate::kUnknownsPerNode),
+                                            Eigen::all),
+      .at_points =
+          response::interpolation_to(mesh, positions_of(data.points), names_of(data.points)),
+      .wave_points = positions_of(data.wave_points),
+      .heading = {},
+      .reach = 0.0};
+  for (const double degrees : data.heading_deg)
+    fluid.heading.push_back(degrees * std::numbers::pi / 180.0);
+
+  Point2 lower = mesh.lower(), upper = mesh.upper();
+  for (Index i = 0; i < fluid.wave_points.cols(); ++i) {
+    lower = lower.cwiseMin(fluid.wave_points.col(i));
+    upper = upper.cwiseMax(fluid.wave_points.col(i));
+  }
+  fluid.reach = 1.001 * (upper - lower).norm();
+  return fluid;
+}
+
+}  // namespace floe

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <chrono>
+#include <floe/analysis.hpp>
+#include <floe/bem/element_integrals.hpp>
+#include <floe/hydro/radiation.hpp>
+#include <floe/numeric/memory.hpp>
+#include <floe/plate/static_correction.hpp>
+#include <floe/response/modal_basis.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// The stages of `analyse`, one function each.
+namespace floe {
+
+/// Adds up wall time under the names of stages.
+class StageClock {
+ public:
+  template <typename Work>
+  auto time(const std::string& stage, Work work) {
+    const auto start = std::chrono::steady_clock::now();
+    const Stop stop{*this, stage, start};
+    return work();
+  }
+  const std::vector<StageTime>& times() const { return times_; }
+
+ private:
+  using TimePoint = std::chrono::steady_clock::time_point;
+  struct Stop {
+    StageClock& clock;
+    const std::string& stage;
+    TimePoint start;
+    ~Stop() { clock.add(stage, std::chrono::steady_clock::now() - start); }
+  };
+  void add(const std::string& stage, std::chrono::duration<double> elapsed);
+
+  std::vector<StageTime> times_;
+};
+
+/// The fluid's mesh, and the plate's own if it has one.
+struct Meshes {
+  mesh::Q8Mesh fluid;
+  std::optional<mesh::Q8Mesh> own_plate;
+  const mesh::Q8Mesh& plate() const { return own_plate ? *own_plate : fluid; }
+};
+
+/// The dry plate and what is read off its modes.
+struct PlateModel {
+  plate::DryModes modes;        ///< on the plate's mesh
+  plate::DryModes fluid_modes;  ///< the same at the fluid's nodes
+  response::ModalBasis points;
+  response::ModalBasis lines;
+  std::optional<plate::StaticCorrection> correction;  ///< where section forces are wanted
+  SparseMatrix to_fluid;  ///< from the plate's own mesh to the fluid's nodes; empty if they are one
+};
+
+/// What the fluid needs at every frequency.
+struct FluidModel {
+  bem::ElementIntegrals integrals;
+  SparseMatrix surface_mass;
+  MatXd deflection;            ///< w of the modes at the fluid's nodes, N × q
+  SparseMatrix at_points;      ///< interpolation to Case::points
+  Points2 wave_points;
+  std::vector<double> heading; ///< [rad]
+  double reach = 0.0;          ///< largest distance that the Green function is asked for [m]
+};
+
+Meshes prepare_meshes(const Case& data, Log& log);
+PlateModel prepare_plate(const Case& data, const Meshes& meshes);
+FluidModel prepare_fluid(const Case& data, const Meshes& meshes, const PlateModel& plate);
+FrequencyResult solve_frequency(const Case& data, const PlateModel& plate, const FluidModel& fluid,
+                                double omega, StageClock& clock);
+
+}  // namespace floe

@@ -1,0 +1,61 @@
+#include <floe/numeric/error.hpp>
+#include <floe/plate/mindlin.hpp>
+#include <floe/plate/static_correction.hpp>
+
+#include <Eigen/Cholesky>
+#include <plate/shifted_factor.hpp>
+
+namespace floe::plate {
+namespace {
+
+// Real operator on complex columns
+MatXcd solve_complex(const ShiftedFactor& factor, const MatXcd& rhs) {
+  MatXd real(rhs.rows(), rhs.cols()), imaginary(rhs.rows(), rhs.cols());
+  factor.solve(rhs.real(), real);
+  factor.solve(rhs.imag(), imaginary);
+  return real.cast<Complex>() + Complex(0.0, 1.0) * imaginary.cast<Complex>();
+}
+
+}  // namespace
+
+StaticCorrection::StaticCorrection(const mesh::Q8Mesh& mesh, const PlateProperties& properties,
+                                   const DryModes& modes)
+    : modes_(modes), loss_factor_(properties.loss_factor) {
+  // NOTE: the shift only makes K + sM definite; a hundredth of the highest mode's ω² keeps the factor
+  // well conditioned and the correction small
+  const double highest = modes.omega.maxCoeff();
+  FLOE_VALIDATE(highest > 0.0, "invalid modes.count = " << modes.count()
+                                                        << " (must hold an elastic mode for "
+                                                           "section forces)");
+  shift_ = 0.01 * highest * highest;
+  PlateMatrices plate = assemble_plate(mesh, properties);
+  factor_ = std::make_shared<const ShiftedFactor>(plate, shift_);
+  mass_ = std::move(plate.mass);
+  inertia_ = mass_ * modes.shape;
+}
+
+MatXcd StaticCorrection::displacement(const Eigen::Ref<const MatXcd>& load, double omega,
+                                      const MatXcd& amplitudes) const {
+  FLOE_EXPECT(kUnknownsPerNode * load.rows() == inertia_.rows());
+  // Take from the pressure's load what the modes carry: (K - ω²M) C = M C (Λ - ω²)
+  VecXcd dynamic = Complex(1.0, -loss_factor_) * modes_.omega.cwiseAbs2().cast<Complex>();
+  dynamic.array() -= omega * omega;
+  MatXcd rest = -(inertia_.cast<Complex>() * (dynamic.asDiagonal() * amplitudes));
+  for (Index node = 0; node < load.rows(); ++node)
+    rest.row(kUnknownsPerNode * node) += load.row(node);
+
+  // Make the rest orthogonal to the modes
+  const Eigen::LLT<MatXd> gram(modes_.modal_mass);
+  const MatXd shape_transposed = modes_.shape.transpose();
+  const MatXcd component = shape_transposed.cast<Complex>() * rest;
+  const MatXd real = gram.solve(component.real()), imaginary = gram.solve(component.imag());
+  rest -= inertia_.cast<Complex>() *
+          (real.cast<Complex>() + Complex(0.0, 1.0) * imaginary.cast<Complex>());
+
+  // Solve (K - ω²M) δ = r with K + sM and one correction
+  const MatXcd first = solve_complex(*factor_, rest);
+  rest += (shift_ + omega * omega) * (mass_.cast<Complex>() * first);
+  return solve_complex(*factor_, rest) / Complex(1.0, -loss_factor_);
+}
+
+}  // namespace floe::plate

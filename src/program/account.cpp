@@ -1,0 +1,103 @@
+#include "program/account.hpp"
+
+#include "program/signals.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <numbers>
+
+namespace floe::program {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void print_json(const Json& event) {
+  print(event.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+constexpr const char* kTableHead =
+    "\n   omega  wavelength   method  residual  reciprocity    energy    time\n"
+    "   rad/s           m                           error     error";
+
+}  // namespace
+
+Account::Account(ProgressStyle style)
+    : style_(style),
+      screen_(style == ProgressStyle::kAuto ? look_at_screen() : Screen{}),
+      bar_(screen_) {}
+
+void Account::line(const std::string& text) {
+  if (style_ == ProgressStyle::kNone || style_ == ProgressStyle::kJson) return;
+  bar_.erase();
+  print(text + "\n");
+}
+
+void Account::info(const std::string& text) {
+  if (style_ == ProgressStyle::kJson) print_json({{"event", "info"}, {"text", text}});
+  line(text);
+  stop_if_asked();
+}
+
+void Account::notice(const std::string& text) {
+  if (style_ == ProgressStyle::kJson) print_json({{"event", "notice"}, {"text", text}});
+  line(styled(screen_, Style::kDim, "note       " + text));
+  stop_if_asked();
+}
+
+void Account::warning(const std::string& text) {
+  if (style_ == ProgressStyle::kJson)
+    print_json({{"event", "warning"}, {"text", text}});
+  else
+    pending_warnings_.push_back(text);
+  stop_if_asked();
+}
+
+void Account::progress(double share, const std::string& now) {
+  if (style_ == ProgressStyle::kJson)
+    print_json({{"event", "progress"}, {"share", share}, {"now", now}});
+  bar_.show(share, now);
+  stop_if_asked();
+}
+
+void Account::fact(const std::string& name, const std::string& text) {
+  if (style_ == ProgressStyle::kJson)
+    print_json({{"event", "fact"}, {"name", name}, {"text", text}});
+  line(styled(screen_, Style::kBold, fmt::format("{:<10}", name)) + " " + text);
+}
+
+void Account::frequency(const FrequencyResult& result) {
+  const FrequencyReport& report = result.report;
+  const double wavelength = 2.0 * std::numbers::pi / result.wavenumber;
+  if (style_ == ProgressStyle::kJson)
+    print_json({{"event", "frequency"},
+                {"omega", report.omega},
+                {"wavelength", wavelength},
+                {"method", report.method},
+                {"iterations", report.iterations},
+                {"true_residual", report.true_residual},
+                {"reciprocity_error", report.reciprocity_error},
+                {"energy_error", report.energy_error},
+                {"seconds", report.seconds}});
+  if (!table_open_) line(kTableHead);
+  table_open_ = true;
+  line(fmt::format("{:8.4g}  {:10.4g}  {:>7}  {:8.1e}  {:11.1e}  {:8.1e}  {:>6}", report.omega,
+                   wavelength, report.method, report.true_residual, report.reciprocity_error,
+                   report.energy_error, format_duration(report.seconds)));
+}
+
+void Account::show_warnings() {
+  if (pending_warnings_.empty()) return;
+  bar_.erase();
+  std::string text;
+  for (const std::string& warning : pending_warnings_)
+    text += styled(screen_, Style::kYellow, "warning") + "    " + warning + "\n";
+  // With no account there is nothing on standard output to belong to
+  if (style_ == ProgressStyle::kNone)
+    print_error(text);
+  else
+    print(text);
+  pending_warnings_.clear();
+}
+
+}  // namespace floe::program

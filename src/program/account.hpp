@@ -1,0 +1,45 @@
+#pragma once
+
+#include "program/terminal.hpp"
+
+#include <floe/analysis.hpp>
+
+#include <string>
+#include <vector>
+
+namespace floe::program {
+
+enum class ProgressStyle { kAuto, kPlain, kJson, kNone };
+
+/// The terminal account of a run: facts, a line a frequency, grouped warnings, and a progress bar
+/// on a terminal. `json`: one object a line instead, for programs. `none`: warnings only.
+/// Every call is a place where a run can stop cleanly after a signal.
+class Account final : public Log {
+ public:
+  explicit Account(ProgressStyle style);
+
+  void info(const std::string& text) override;
+  void notice(const std::string& text) override;
+  void warning(const std::string& text) override;
+  void progress(double share, const std::string& now) override;
+
+  /// "mesh       1621 nodes, 500 elements"
+  void fact(const std::string& name, const std::string& text);
+  /// An empty line.
+  void gap() { line(""); }
+  void frequency(const FrequencyResult& result);
+  /// Prints the warnings that came in since the last call.
+  void show_warnings();
+  const Screen& screen() const { return screen_; }
+
+ private:
+  void line(const std::string& text);
+
+  ProgressStyle style_;
+  Screen screen_;
+  ProgressBar bar_;
+  std::vector<std::string> pending_warnings_;
+  bool table_open_ = false;
+};
+
+}  // namespace floe::program

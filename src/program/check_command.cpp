@@ -1,0 +1,83 @@
+#include "program/commands.hpp"
+
+#include <floe/estimate.hpp>
+#include <floe/numeric/memory.hpp>
+#include <floe/preflight.hpp>
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <optional>
+
+namespace floe::program {
+namespace {
+
+void tell_mesh(const std::string& name, const mesh::MeshFile& file,
+               const mesh::MeshQuality& quality, Account& account) {
+  const mesh::Q8Mesh& mesh = file.mesh;
+  account.fact(name, fmt::format("{}, {}, {}, {:.6g} m²", counted(mesh.node_count(), "node"),
+                                 counted(mesh.element_count(), "element"),
+                                 counted(mesh.piece_count(), "piece"), mesh.area()));
+  account.fact("", fmt::format("x {:.6g} … {:.6g} m, y {:.6g} … {:.6g} m", mesh.lower().x(),
+                               mesh.upper().x(), mesh.lower().y(), mesh.upper().y()));
+  account.fact("", fmt::format("edges {:.4g} … {:.4g} m, aspect ratio up to {:.3g}, neighbours "
+                               "differ by up to {:.3g}",
+                               quality.shortest_edge, quality.longest_edge,
+                               quality.worst_aspect_ratio, quality.largest_edge_jump));
+  for (const std::string& notice : file.notices) account.notice(notice);
+}
+
+void tell_resolution(const Preflight& found, Account& account) {
+  account.info(
+      "\n   omega  wavelength    nodes per  flexural wave    nodes per\n"
+      "   rad/s           m   wavelength              m   wavelength");
+  for (const Resolution& r : found.resolution)
+    account.info(fmt::format("{:8.4g}  {:10.4g}  {:11.3g}  {:13.4g}  {:11.3g}{}", r.omega,
+                             r.wavelength, r.nodes_per_wavelength, r.flexural_wavelength,
+                             r.nodes_per_flexural_wavelength,
+                             r.least_nodes() < kNodesRequired ? "  too coarse"
+                             : r.least_nodes() < kNodesWanted ? "  coarse"
+                                                              : ""));
+  account.info("");
+}
+
+void tell_needs(const Estimate& needed, double budget, Account& account) {
+  account.fact("method", needed.method);
+  for (const StageEstimate& stage : needed.stages)
+    account.fact("", fmt::format("{:<12} {:>8}  about {}", stage.stage, format_bytes(stage.memory),
+                                 format_duration(stage.seconds)));
+  account.fact("memory",
+               fmt::format("{} of {}", format_bytes(needed.memory), format_bytes(budget)));
+  account.fact("time", fmt::format("about {} on {}", format_duration(needed.seconds),
+                                   counted(omp_get_max_threads(), "thread")));
+}
+
+}  // namespace
+
+void check_case(const RunOptions& options) {
+  // Read the case and its meshes
+  Account account(options.progress);
+  const Case data = read_case_for(options, account);
+  use_threads(options.threads, account);
+  const mesh::MeshFile fluid = load_mesh(data.mesh);
+  std::optional<mesh::MeshFile> plate;
+  if (!data.plate_mesh.empty()) plate = load_mesh(data.plate_mesh.front());
+
+  // Tell what was found
+  const Preflight found = preflight(data, fluid.mesh, plate ? &plate->mesh : nullptr);
+  const Estimate needed = estimate(data, fluid.mesh, omp_get_max_threads());
+  const double budget = numeric::memory_budget(data.memory_limit, numeric::memory_limits());
+  tell_mesh("mesh", fluid, found.quality, account);
+  if (plate) tell_mesh("plate mesh", *plate, mesh::measure_quality(plate->mesh), account);
+  tell_resolution(found, account);
+  tell_needs(needed, budget, account);
+  for (const std::string& warning : found.warnings) account.warning(warning);
+  account.show_warnings();
+
+  // Refuse what a run would refuse
+  require_points_on_plates(data, fluid.mesh);
+  require_resolution(data, found);
+  require_budget(needed, budget);
+}
+
+}  // namespace floe::program

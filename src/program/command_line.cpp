@@ -1,0 +1,213 @@
+#include "program/command_line.hpp"
+
+#include "program/commands.hpp"
+#include "program/exit_code.hpp"
+#include "program/signals.hpp"
+
+#include <floe/io/case_file.hpp>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <sstream>
+
+namespace floe::program {
+namespace {
+
+constexpr const char* kAbout =
+    "floe: hydroelastic response of very large floating structures in waves.";
+constexpr const char* kExamples = R"(
+Examples:
+  floe check cases/table1.toml            what a run would need; solves nothing
+  floe run cases/table1.toml              results go to table1.out/
+  floe run plate.toml -o out --threads 8  another folder, eight threads
+  floe mesh rectangle --length 300 --width 60 --nx 50 --ny 10 -o plate.msh
+
+Exit codes: 0 done, 2 command line, 3 case file, 4 mesh, 6 memory, 7 files, 8 not converged,
+  9 results there already, 10 folder in use, 130/143 stopped by a signal, 1 a fault of floe.)";
+
+// "16G" in bytes; K, M, G, T are powers of 1024
+double parse_bytes(const std::string& text) {
+  const std::map<char, double> factors = {{'K', 1024.0},
+                                          {'M', std::pow(1024.0, 2)},
+                                          {'G', std::pow(1024.0, 3)},
+                                          {'T', std::pow(1024.0, 4)}};
+  std::string digits = text;
+  double factor = 1.0;
+  if (!digits.empty() && factors.contains(static_cast<char>(std::toupper(digits.back())))) {
+    factor = factors.at(static_cast<char>(std::toupper(digits.back())));
+    digits.pop_back();
+  }
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value) ||
+      value <= 0.0)
+    throw UsageError(fmt::format(
+        "invalid --memory = {} (must be a positive number of bytes, or like 500M or 16G)", text));
+  return value * factor;
+}
+
+// What the parser fills in
+struct Choice {
+  RunOptions run;
+  RectangleMeshOptions rectangle;
+  std::string memory;
+  std::function<void()> action;  // what the chosen command does
+};
+
+// A check whose message has the program's shape
+CLI::Validator one_of(const std::string& option, const std::string& required,
+                      const std::function<bool(const std::string&)>& accepts) {
+  return CLI::Validator(
+      [=](std::string& text) {
+        return accepts(text) ? ""
+                             : fmt::format("invalid {} = {} (must be {})", option, text, required);
+      },
+      "");
+}
+
+void add_case_flags(CLI::App& command, Choice& choice) {
+  command.add_option("case", choice.run.case_file, "case file")->required()->type_name("CASE.toml");
+  command.add_option("--threads", choice.run.threads, "threads to use, 1 … 1024")
+      ->type_name("N")
+      ->check(one_of("--threads", "1 to 1024", [](const std::string& text) {
+        int value = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        return error == std::errc() && end == text.data() + text.size() && value >= 1 &&
+               value <= 1024;
+      }));
+  command.add_option("--memory", choice.memory, "memory to stay below, like 16G")
+      ->type_name("BYTES");
+  command.add_flag("--allow-coarse", choice.run.allow_coarse,
+                   "go on with fewer than 2 nodes per wavelength");
+}
+
+void add_run(CLI::App& app, Choice& choice) {
+  CLI::App& command = *app.add_subcommand("run", "run a case and store its results");
+  add_case_flags(command, choice);
+  const std::map<std::string, ProgressStyle> styles = {{"auto", ProgressStyle::kAuto},
+                                                       {"plain", ProgressStyle::kPlain},
+                                                       {"json", ProgressStyle::kJson},
+                                                       {"none", ProgressStyle::kNone}};
+  command.add_option("-o", choice.run.output, "result folder (default: the case's name + .out)")
+      ->type_name("DIR");
+  command.add_flag("--fresh", choice.run.fresh, "replace the results of an earlier run");
+  command
+      .add_option_function<std::string>(
+          "--progress",
+          [&choice, styles](const std::string& name) { choice.run.progress = styles.at(name); },
+          "auto, plain, json or none")
+      ->type_name("HOW")
+      ->check(one_of("--progress", "auto, plain, json or none",
+                     [styles](const std::string& name) { return styles.contains(name); }));
+  command.callback([&choice] { choice.action = [&choice] { run_case(choice.run); }; });
+}
+
+void add_check(CLI::App& app, Choice& choice) {
+  CLI::App& command =
+      *app.add_subcommand("check", "tell sizes, resolution, memory and time; solve nothing");
+  add_case_flags(command, choice);
+  command.callback([&choice] { choice.action = [&choice] { check_case(choice.run); }; });
+}
+
+void add_mesh(CLI::App& app, Choice& choice) {
+  CLI::App& command = *app.add_subcommand("mesh", "make a mesh");
+  command.require_subcommand(1);
+  CLI::App& rectangle = *command.add_subcommand("rectangle", "mesh of a rectangle (Gmsh 4.1)");
+  mesh::RectangleOptions& options = choice.rectangle.rectangle;
+  rectangle.add_option("--length", options.length, "extent in x [m]")->required();
+  rectangle.add_option("--width", options.width, "extent in y [m]")->required();
+  rectangle.add_option("--nx", options.nx, "elements along x")->required();
+  rectangle.add_option("--ny", options.ny, "elements along y")->required();
+  rectangle.add_option("--grading", options.grading,
+                       "longest over shortest edge, 1 … 100; edges shrink towards the sides");
+  rectangle.add_option("-o", choice.rectangle.output, "file to write")
+      ->required()
+      ->type_name("FILE.msh");
+  rectangle.callback(
+      [&choice] { choice.action = [&choice] { make_rectangle_mesh(choice.rectangle); }; });
+}
+
+// A first word that is no command gets the nearest one named
+void refuse_unknown_command(const std::string& command) {
+  const std::vector<std::string> known = {"run", "check", "mesh"};
+  if (command.empty() || command[0] == '-' ||
+      std::find(known.begin(), known.end(), command) != known.end())
+    return;
+  const std::string nearest = io::nearest_name(command, known);
+  throw UsageError(fmt::format("unknown command {} ({})", command,
+                               nearest.empty()
+                                   ? "known are run, check, mesh; floe --help tells more"
+                                   : "did you mean " + nearest + "?"));
+}
+
+// Commands and flags of the documented interface that this version does not serve yet
+void refuse_later_words(int argc, char** argv) {
+  const auto refuse = [](const std::string& word) {
+    throw UsageError(
+        fmt::format("{} is not available yet in this version ({})", word, FLOE_VERSION));
+  };
+  const std::string command = argc > 1 ? argv[1] : "";
+  for (const char* later : {"stats", "report", "status", "export", "merge", "converge", "init"})
+    if (command == later) refuse("floe " + command);
+  refuse_unknown_command(command);
+  const std::string shape = command == "mesh" && argc > 2 ? argv[2] : "";
+  for (const char* later : {"disc", "ring", "lshape", "modules"})
+    if (shape == later) refuse("floe mesh " + shape);
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
+    if (word == "--") return;
+    for (const char* later : {"--resume", "--max-time", "--shard"})
+      if (word == later) refuse(word);
+  }
+}
+
+int parse_and_run(int argc, char** argv) {
+  refuse_later_words(argc, argv);
+  Choice choice;
+  CLI::App app(kAbout, "floe");
+  app.set_version_flag("--version", "floe " FLOE_VERSION);
+  app.require_subcommand(1);
+  add_run(app, choice);
+  add_check(app, choice);
+  add_mesh(app, choice);
+  app.footer(kExamples);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help) {  // --help, --version
+    std::ostringstream text;
+    app.exit(help, text, text);
+    print(text.str());
+    return kDone;
+  } catch (const CLI::ParseError& error) {
+    // Our own checks speak for themselves; the parser puts the option's name before them
+    const std::string text = error.what();
+    const auto ours = text.find("invalid --");
+    throw UsageError(ours != std::string::npos ? text.substr(ours)
+                                               : text + " (floe --help tells more)");
+  }
+  if (!choice.memory.empty()) choice.run.memory = parse_bytes(choice.memory);
+  choice.action();
+  return kDone;
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv) {
+  try {
+    prepare_process();
+    return parse_and_run(argc, argv);
+  } catch (...) {
+    const Failure failure = describe(std::current_exception());
+    print_error(fmt::format("floe: error: {}\n", failure.text));
+    return failure.code;
+  }
+}
+
+}  // namespace floe::program

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "program/account.hpp"
+
+#include <filesystem>
+
+/// The commands of the program, one function each. They throw; `run_command_line` turns what they
+/// throw into the exit code.
+namespace floe::program {
+
+struct RunOptions {
+  std::filesystem::path case_file;
+  std::filesystem::path output;  ///< empty: the case's name + ".out" in the working directory
+  int threads = 0;               ///< 0: as many as the process may use
+  double memory = 0.0;           ///< [byte]; 0: what the machine allows
+  bool fresh = false;
+  bool allow_coarse = false;
+  ProgressStyle progress = ProgressStyle::kAuto;
+};
+
+/// Runs a case and stores its results.
+void run_case(const RunOptions& options);
+
+/// Tells what a run would do and need, and refuses what a run would refuse; solves nothing.
+void check_case(const RunOptions& options);
+
+struct RectangleMeshOptions {
+  mesh::RectangleOptions rectangle;
+  std::filesystem::path output;
+};
+
+/// Writes the mesh of a rectangle.
+void make_rectangle_mesh(const RectangleMeshOptions& options);
+
+/// The case with what the command line adds to it; tells notices and warnings of the reading.
+Case read_case_for(const RunOptions& options, Account& account);
+
+/// Sets the number of threads; a notice when they are more than the process may use.
+void use_threads(int threads, Account& account);
+
+/// "1 element", "2 elements".
+std::string counted(Index count, const std::string& what);
+
+}  // namespace floe::program

@@ -1,0 +1,156 @@
+#include "program/commands.hpp"
+#include "program/exit_code.hpp"
+#include "program/signals.hpp"
+
+#include <floe/estimate.hpp>
+#include <floe/io/case_file.hpp>
+#include <floe/io/directory_store.hpp>
+#include <floe/numeric/memory.hpp>
+
+#include <fmt/format.h>
+#include <omp.h>
+#include <sched.h>
+
+#include <chrono>
+#include <cmath>
+
+namespace floe::program {
+namespace {
+
+std::string describe_waves(const Case& data) {
+  const std::string range =
+      data.omega.size() == 1
+          ? fmt::format("{:.4g} rad/s", data.omega.front())
+          : fmt::format("{:.4g} … {:.4g} rad/s", data.omega.front(), data.omega.back());
+  const std::string depth = std::isinf(data.water.depth)
+                                ? "infinite depth"
+                                : fmt::format("depth {:.4g} m", data.water.depth);
+  const Index count = static_cast<Index>(data.omega.size());
+  return fmt::format("{} {}, {}, {}", count, count == 1 ? "frequency" : "frequencies", range,
+                     counted(static_cast<Index>(data.heading_deg.size()), "heading")) +
+         ", " + depth;
+}
+
+// Tells what is stored as it is stored, and stops between two units when asked to
+class ToldStore final : public Store {
+ public:
+  ToldStore(io::DirectoryStore& store, Account& account) : store_(store), account_(account) {}
+
+  void begin(const Case& data, const mesh::Q8Mesh& mesh) override {
+    const Estimate plan = estimate(data, mesh, omp_get_max_threads());
+    account_.fact("mesh", fmt::format("{}, {}, {}, {:.6g} m²", counted(mesh.node_count(), "node"),
+                                      counted(mesh.element_count(), "element"),
+                                      counted(mesh.piece_count(), "piece"), mesh.area()));
+    account_.fact("waves", describe_waves(data));
+    account_.fact("plan", fmt::format("{}, {}, about {} and {}", plan.method,
+                                      counted(omp_get_max_threads(), "thread"),
+                                      format_duration(plan.seconds), format_bytes(plan.memory)));
+    store_.begin(data, mesh);
+    stop_if_asked();
+  }
+
+  void modes(const plate::DryModes& modes) override {
+    store_.modes(modes);
+    const std::string elastic =
+        modes.count() > modes.rigid_count
+            ? fmt::format(", first elastic {:.4g} rad/s", modes.omega[modes.rigid_count])
+            : "";
+    account_.fact("modes",
+                  fmt::format("{}, {} rigid{}", modes.count(), modes.rigid_count, elastic));
+    account_.show_warnings();
+    stop_if_asked();
+  }
+
+  void frequency(const FrequencyResult& result) override {
+    store_.frequency(result);
+    ++finished_;
+    account_.frequency(result);
+    stop_if_asked();
+  }
+
+  void finish(const std::vector<StageTime>& times) override { store_.finish(times); }
+
+  Index finished() const { return finished_; }
+
+ private:
+  io::DirectoryStore& store_;  // borrowed
+  Account& account_;           // borrowed
+  Index finished_ = 0;
+};
+
+// Keeps what was finished; a failure on the way out does not hide the first one
+void stop_store(io::DirectoryStore& store, const std::string& why) {
+  try {
+    store.stop(why);
+  } catch (const std::exception& error) {
+    print_error(fmt::format("floe: error: {}\n", error.what()));
+  }
+}
+
+std::filesystem::path output_of(const RunOptions& options) {
+  if (!options.output.empty()) return options.output;
+  return options.case_file.stem().string() + ".out";
+}
+
+}  // namespace
+
+std::string counted(Index count, const std::string& what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+void use_threads(int threads, Account& account) {
+  cpu_set_t allowed;
+  CPU_ZERO(&allowed);
+  const bool known = ::sched_getaffinity(0, sizeof allowed, &allowed) == 0;
+  if (known && threads > CPU_COUNT(&allowed))
+    account.notice(fmt::format("{} asked for, the process may use {}", counted(threads, "thread"),
+                               counted(CPU_COUNT(&allowed), "processor")));
+  if (threads > 0) omp_set_num_threads(threads);
+}
+
+Case read_case_for(const RunOptions& options, Account& account) {
+  io::CaseFile file = io::read_case(options.case_file);
+  account.fact("floe", fmt::format("{}{}{}", FLOE_VERSION, file.data.title.empty() ? "" : " · ",
+                                   file.data.title));
+  account.fact("case", options.case_file.string());
+  for (const std::string& notice : file.notices) account.notice(notice);
+  for (const std::string& warning : file.warnings) account.warning(warning);
+  file.data.allow_coarse = options.allow_coarse;
+  file.data.memory_limit = options.memory;
+  return std::move(file.data);
+}
+
+void run_case(const RunOptions& options) {
+  // Read the case and claim the output directory before anything is computed
+  const auto start = std::chrono::steady_clock::now();
+  Account account(options.progress);
+  const Case data = read_case_for(options, account);
+  use_threads(options.threads, account);
+  io::DirectoryStore store(output_of(options),
+                           options.fresh ? io::Existing::kReplace : io::Existing::kRefuse);
+
+  // Compute; whatever ends the run early, finished frequencies stay
+  ToldStore told(store, account);
+  try {
+    analyse(data, account, told);
+  } catch (...) {
+    const Failure failure = describe(std::current_exception());
+    account.show_warnings();
+    stop_store(store, failure.text);
+    if (told.finished() > 0)
+      account.fact("kept", fmt::format("{} of {} frequencies in {}/", told.finished(),
+                                       data.omega.size(), store.directory().string()));
+    throw;
+  }
+
+  // Tell where everything lies
+  account.show_warnings();
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  account.gap();
+  account.fact("results", fmt::format("{}/ ({})", store.directory().string(),
+                                      counted(static_cast<Index>(store.files().size()), "file")));
+  account.fact("done", fmt::format("{}, peak memory {}", format_duration(elapsed.count()),
+                                   format_bytes(numeric::peak_memory())));
+}
+
+}  // namespace floe::program

@@ -1,0 +1,44 @@
+#include "program/signals.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <initializer_list>
+
+namespace floe::program {
+namespace {
+
+// NOTE: a signal handler can reach nothing but a variable of static storage
+volatile std::sig_atomic_t asked_to_stop = 0;
+
+extern "C" void ask_to_stop(int signal) {
+  if (asked_to_stop != 0) ::_exit(128 + signal);
+  asked_to_stop = signal;
+}
+
+void open_closed_streams() {
+  for (int descriptor = 0; descriptor <= 2; ++descriptor)
+    if (::fcntl(descriptor, F_GETFD) < 0 && errno == EBADF)
+      if (::open("/dev/null", descriptor == 0 ? O_RDONLY : O_WRONLY) < 0) return;
+}
+
+}  // namespace
+
+void prepare_process() {
+  open_closed_streams();
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+  struct sigaction action {};
+  action.sa_handler = ask_to_stop;
+  sigemptyset(&action.sa_mask);
+  action.sa_flags = SA_RESTART;
+  for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
+}
+
+void stop_if_asked() {
+  if (asked_to_stop != 0) throw Interrupted{asked_to_stop};
+}
+
+}  // namespace floe::program

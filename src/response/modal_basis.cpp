@@ -1,0 +1,115 @@
+#include <floe/numeric/error.hpp>
+#include <floe/plate/mindlin.hpp>
+#include <floe/plate/section_forces.hpp>
+#include <floe/response/modal_basis.hpp>
+
+#include <algorithm>
+
+namespace floe::response {
+namespace {
+
+// Row of the section forces that a quantity needs
+int section_row(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::kBendingMomentX:
+    case Quantity::kSurfaceStressX:
+      return plate::kBendingMomentX;
+    case Quantity::kBendingMomentY:
+    case Quantity::kSurfaceStressY:
+      return plate::kBendingMomentY;
+    case Quantity::kTwistingMoment:
+      return plate::kTwistingMoment;
+    case Quantity::kShearForceX:
+      return plate::kShearForceX;
+    default:
+      return plate::kShearForceY;
+  }
+}
+
+// Every `stride`-th row from `first`
+MatXd strided_rows(const MatXd& matrix, Index first, Index stride) {
+  return matrix(Eigen::seq(first, Eigen::last, stride), Eigen::all);
+}
+
+// Nodes that an interpolation reads, rising
+std::vector<Index> nodes_read(const SparseMatrix& interpolation) {
+  std::vector<Index> nodes;
+  for (Index node = 0; node < interpolation.cols(); ++node)
+    if (interpolation.col(node).nonZeros() > 0) nodes.push_back(node);
+  return nodes;
+}
+
+// points × (5 · nodes read): picks one section force of each node and interpolates it
+SparseMatrix select_force(const SparseMatrix& interpolation, const std::vector<Index>& nodes,
+                          int row) {
+  std::vector<Eigen::Triplet<double, std::int64_t>> entries;
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    for (SparseMatrix::InnerIterator it(interpolation, nodes[k]); it; ++it)
+      entries.emplace_back(it.row(), plate::kSectionForces * static_cast<Index>(k) + row, it.value());
+  SparseMatrix select(interpolation.rows(), plate::kSectionForces * static_cast<Index>(nodes.size()));
+  select.setFromTriplets(entries.begin(), entries.end());
+  return select;
+}
+
+}  // namespace
+
+bool is_structural(Quantity quantity) {
+  return quantity != Quantity::kPressure && quantity != Quantity::kRelativeElevation;
+}
+
+bool is_section_force(Quantity quantity) {
+  return quantity >= Quantity::kBendingMomentX && quantity <= Quantity::kSurfaceStressY;
+}
+
+ModalBasis::ModalBasis(const mesh::Q8Mesh& mesh, const plate::PlateProperties& properties,
+                       const plate::DryModes& modes, const SparseMatrix& interpolation,
+                       const std::vector<Quantity>& quantities)
+    : loss_factor_(properties.loss_factor) {
+  const MatXd deflection = strided_rows(modes.shape, 0, plate::kUnknownsPerNode);
+  values_[Quantity::kDeflection] = interpolation * deflection;
+
+  // Recover section forces at the nodes around the points only
+  // NOTE: stress at z = t/2 is M z / I with I = t³/12
+  const double stress_factor = 6.0 / (properties.thickness * properties.thickness);
+  if (std::any_of(quantities.begin(), quantities.end(), is_section_force)) {
+    const std::vector<Index> nodes = nodes_read(interpolation);
+    const SparseMatrix recovery = plate::section_force_operator(mesh, properties, nodes);
+    for (const Quantity quantity : quantities) {
+      if (!is_section_force(quantity)) continue;
+      const bool stress =
+          quantity == Quantity::kSurfaceStressX || quantity == Quantity::kSurfaceStressY;
+      SparseMatrix& at_points = section_force_[quantity];
+      at_points = select_force(interpolation, nodes, section_row(quantity)) * recovery;
+      if (stress) at_points *= stress_factor;
+      values_[quantity] = at_points * modes.shape;
+    }
+  }
+
+  // And slopes
+  MatXd slope;
+  for (const Quantity quantity : quantities) {
+    if (quantity != Quantity::kSlopeX && quantity != Quantity::kSlopeY) continue;
+    if (slope.size() == 0) slope = plate::slopes(mesh, deflection);
+    const Index row = quantity == Quantity::kSlopeX ? plate::kSlopeX : plate::kSlopeY;
+    values_[quantity] = interpolation * strided_rows(slope, row, 2);
+  }
+}
+
+MatXcd ModalBasis::evaluate(Quantity quantity, double omega, const MatXcd& amplitudes) const {
+  const bool motion = quantity == Quantity::kVelocity || quantity == Quantity::kAcceleration;
+  const auto values = values_.find(motion ? Quantity::kDeflection : quantity);
+  FLOE_VALIDATE(values != values_.end(),
+                "invalid quantity = " << name(quantity) << " (must be one of those asked for)");
+  Complex factor = 1.0;
+  if (quantity == Quantity::kVelocity) factor = Complex(0.0, -omega);
+  if (quantity == Quantity::kAcceleration) factor = -omega * omega;
+  if (is_section_force(quantity)) factor = Complex(1.0, -loss_factor_);
+  return factor * (values->second.cast<Complex>() * amplitudes);
+}
+
+MatXcd ModalBasis::evaluate_displacement(Quantity quantity, const MatXcd& displacement) const {
+  return Complex(1.0, -loss_factor_) *
+         (section_force_.at(quantity).cast<Complex>() * displacement);
+}
+
+}  // namespace floe::response

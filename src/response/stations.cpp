@@ -1,0 +1,37 @@
+#include <floe/mesh/point_locator.hpp>
+#include <floe/mesh/shape_functions.hpp>
+#include <floe/numeric/error.hpp>
+#include <floe/response/stations.hpp>
+#include <vector>
+
+namespace floe::response {
+
+SparseMatrix interpolation_to(const mesh::Q8Mesh& mesh, const Points2& points,
+                              std::span<const std::string> names) {
+  FLOE_EXPECT(static_cast<Index>(names.size()) == points.cols());
+  const mesh::PointLocator locator(mesh);
+  std::vector<Eigen::Triplet<double, std::int64_t>> entries;
+  for (Index i = 0; i < points.cols(); ++i) {
+    const auto found = locator.locate(points.col(i));
+    FLOE_VALIDATE(found.has_value(), "invalid point " << names[i] << " = [" << points(0, i) << ", "
+                                                      << points(1, i)
+                                                      << "] m (must lie on a plate)");
+    const mesh::Shape8 shape = mesh::q8_shape(found->xi, found->eta);
+    for (int a = 0; a < 8; ++a)
+      entries.emplace_back(i, mesh.elements()(a, found->element), shape[a]);
+  }
+  SparseMatrix interpolation(points.cols(), mesh.node_count());
+  interpolation.setFromTriplets(entries.begin(), entries.end());
+  return interpolation;
+}
+
+Points2 line_stations(const Point2& from, const Point2& to, int count) {
+  Points2 stations(2, count);
+  for (int i = 0; i < count; ++i) {
+    const double share = count > 1 ? static_cast<double>(i) / (count - 1) : 0.0;
+    stations.col(i) = (1.0 - share) * from + share * to;
+  }
+  return stations;
+}
+
+}  // namespace floe::response

@@ -1,0 +1,187 @@
+#include "floe_program.hpp"
+
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace floe {
+namespace {
+
+using test::kCaseText;
+using test::ProgramResult;
+using test::run_floe;
+using test::TestFolder;
+using test::with;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const std::string kOutput = R"([modes]
+count = 6
+[output]
+points = { P1 = [-150, -30], P5 = [0, 0] }
+lines = { centreline = { from = [-150, 0], to = [150, 0], count = 5 } }
+wave_points = { lee = [200, 0] }
+quantities = ["deflection", "bending_moment_x", "pressure"]
+)";
+
+std::vector<std::string> names_in(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+// Number of data rows, the header left out
+int rows_in(const std::string& csv) {
+  std::istringstream lines(csv);
+  int rows = -1;
+  for (std::string line; std::getline(lines, line);)
+    if (!line.starts_with("#")) ++rows;
+  return rows;
+}
+
+TEST(Run, StoresTheWholeResultOfATinyCase) {
+  const TestFolder folder;
+  folder.write("tiny.toml", kCaseText + kOutput);
+  const ProgramResult result = run_floe(folder, "run tiny.toml");
+  ASSERT_EQ(result.code, 0) << result.error;
+  EXPECT_THAT(result.error, IsEmpty());
+  EXPECT_THAT(result.output, HasSubstr("37 nodes, 8 elements, 1 piece"));
+  EXPECT_THAT(result.output, HasSubstr("tiny.out"));
+  EXPECT_THAT(names_in(folder.path()), ElementsAre("tiny.out", "tiny.toml"));
+  EXPECT_THAT(names_in(folder.path() / "tiny.out"),
+              ElementsAre("dry_modes.csv", "exciting_force.csv", "fields", "fields.pvd",
+                          "hydro_coefficients.csv", "rao_lines.csv", "rao_points.csv",
+                          "rao_quantities.csv", "run.json", "wave_points.csv"));
+  EXPECT_EQ(rows_in(folder.read("tiny.out/dry_modes.csv")), 6);
+  EXPECT_EQ(rows_in(folder.read("tiny.out/rao_points.csv")), 2 * 2 * 2);
+  EXPECT_EQ(rows_in(folder.read("tiny.out/rao_lines.csv")), 2 * 2 * 5);
+  EXPECT_EQ(rows_in(folder.read("tiny.out/rao_quantities.csv")), 2 * 2 * 2 * 3);
+  EXPECT_EQ(rows_in(folder.read("tiny.out/wave_points.csv")), 2 * 2);
+  EXPECT_EQ(rows_in(folder.read("tiny.out/hydro_coefficients.csv")), 2 * 36);
+  EXPECT_EQ(rows_in(folder.read("tiny.out/exciting_force.csv")), 2 * 2 * 6);
+  const auto run = nlohmann::json::parse(folder.read("tiny.out/run.json"));
+  EXPECT_EQ(run.at("status"), "complete");
+  ASSERT_EQ(run.at("frequencies").size(), 2u);
+  EXPECT_EQ(run.at("frequencies").at(0).at("method"), "dense");
+  EXPECT_LT(run.at("frequencies").at(0).at("true_residual").get<double>(), 1e-6);
+  // The first heading, both frequencies
+  EXPECT_EQ(names_in(folder.path() / "tiny.out/fields").size(), 2u);
+}
+
+TEST(Run, GivesTheSameBytesForAnyNumberOfThreads) {
+  const TestFolder folder;
+  folder.write("tiny.toml", kCaseText + kOutput);
+  ASSERT_EQ(run_floe(folder, "run tiny.toml -o one --threads 1").code, 0);
+  ASSERT_EQ(run_floe(folder, "run tiny.toml -o three --threads 3").code, 0);
+  for (const std::string& name : names_in(folder.path() / "one")) {
+    if (!name.ends_with(".csv")) continue;
+    EXPECT_EQ(folder.read("one/" + name), folder.read("three/" + name)) << name;
+  }
+}
+
+TEST(Run, KeepsAnEarlierResultUnlessFresh) {
+  const TestFolder folder;
+  folder.write("tiny.toml", kCaseText);
+  ASSERT_EQ(run_floe(folder, "run tiny.toml -o out").code, 0);
+  folder.write("out/notes.txt", "mine");
+  const ProgramResult again = run_floe(folder, "run tiny.toml -o out");
+  EXPECT_EQ(again.code, 9);
+  EXPECT_THAT(again.error, HasSubstr("--fresh"));
+  EXPECT_EQ(run_floe(folder, "run tiny.toml -o out --fresh").code, 0);
+  EXPECT_EQ(folder.read("out/notes.txt"), "mine");
+}
+
+TEST(Run, RefusesPathsItCannotWriteToBeforeComputing) {
+  const TestFolder folder;
+  folder.write("tiny.toml", kCaseText);
+  folder.write("file", "");
+  for (const char* path : {"file", "file/out", "none/out", "/proc/floe.out"}) {
+    const ProgramResult result = run_floe(folder, std::string("run tiny.toml -o ") + path);
+    EXPECT_EQ(result.code, 7) << path;
+    EXPECT_THAT(result.error, HasSubstr("cannot write to " + std::string(path) + ": ")) << path;
+    EXPECT_THAT(result.output, testing::Not(HasSubstr("modes"))) << path;
+  }
+}
+
+TEST(Run, WaitsForNobodyInABusyDirectory) {
+  const TestFolder folder;
+  folder.write("tiny.toml", kCaseText);
+  std::filesystem::create_directory(folder.path() / "out");
+  const int lock = ::open((folder.path() / "out/run.lock").c_str(), O_RDWR | O_CREAT, 0600);
+  ASSERT_EQ(::flock(lock, LOCK_EX | LOCK_NB), 0);
+  const ProgramResult result = run_floe(folder, "run tiny.toml -o out");
+  EXPECT_EQ(result.code, 10);
+  EXPECT_THAT(result.error, HasSubstr("another run holds out"));
+  ::close(lock);
+  EXPECT_EQ(run_floe(folder, "run tiny.toml -o out").code, 0);
+}
+
+TEST(Run, SurvivesClosedAndBrokenOutput) {
+  const TestFolder folder;
+  folder.write("tiny.toml", kCaseText);
+  EXPECT_EQ(run_floe(folder, "run tiny.toml -o a >&-").code, 0);
+  EXPECT_EQ(run_floe(folder, "run tiny.toml -o b >/dev/full").code, 0);
+  EXPECT_EQ(run_floe(folder, "run tiny.toml -o c; echo $? >code; } | head -c 1; { true").code, 0);
+  EXPECT_EQ(folder.read("code"), "0\n");
+  EXPECT_EQ(folder.read("a/rao_points.csv"), folder.read("c/rao_points.csv"));
+}
+
+TEST(Run, TellsAFullDiskWithSeven) {
+  const TestFolder folder;
+  folder.write("tiny.toml", kCaseText + kOutput);
+  const ProgramResult result = run_floe(folder, "run tiny.toml -o out", "ulimit -f 2;");
+  EXPECT_EQ(result.code, 7) << result.error;
+  EXPECT_THAT(result.error, HasSubstr("File too large"));
+}
+
+TEST(Run, StopsCleanlyAtASignal) {
+  const TestFolder folder;
+  // Enough frequencies to be still running when the signal comes
+  folder.write("long.toml", with("[0.4, 0.5]", "{ from = 0.2, to = 0.6, count = 20000 }"));
+  for (const auto& [name, code] : {std::pair{"INT", 130}, std::pair{"TERM", 143}}) {
+    const ProgramResult coded =
+        run_floe(folder, "run long.toml --fresh",
+                 std::string("timeout --preserve-status -s ") + name + " 2");
+    EXPECT_EQ(coded.code, code);
+    EXPECT_THAT(coded.error, HasSubstr(code == 130 ? "interrupted" : "terminated"));
+    EXPECT_THAT(coded.output, HasSubstr("of 20000 frequencies in long.out/"));
+    const auto run = nlohmann::json::parse(folder.read("long.out/run.json"));
+    EXPECT_NE(run.at("status"), "complete");
+    EXPECT_EQ(rows_in(folder.read("long.out/exciting_force.csv")),
+              static_cast<int>(run.at("frequencies").size()) * 2 * 30);
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "long.out/run.lock"));
+  }
+}
+
+TEST(Run, SpeaksJsonLinesToPrograms) {
+  const TestFolder folder;
+  folder.write("tiny.toml", kCaseText);
+  const ProgramResult result = run_floe(folder, "run tiny.toml --progress=json");
+  ASSERT_EQ(result.code, 0) << result.error;
+  std::istringstream lines(result.output);
+  int frequencies = 0;
+  for (std::string line; std::getline(lines, line);)
+    if (nlohmann::json::parse(line).at("event") == "frequency") ++frequencies;
+  EXPECT_EQ(frequencies, 2);
+  EXPECT_THAT(run_floe(folder, "run tiny.toml --fresh --progress=none").output, IsEmpty());
+}
+
+TEST(Run, NoticesMoreThreadsThanProcessors) {
+  const TestFolder folder;
+  folder.write("tiny.toml", kCaseText);
+  const ProgramResult result = run_floe(folder, "run tiny.toml --threads 1000");
+  EXPECT_EQ(result.code, 0);
+  EXPECT_THAT(result.output, HasSubstr("1000 threads asked for, the process may use "));
+}
+
+}  // namespace
+}  // namespace floe
