@@ -23,17 +23,6 @@ CurvatureMatrix curvature_matrix(const ElementPointValues& point) {
   return b;
 }
 
-ShearMatrix shear_matrix(const ElementPointValues& point) {
-  ShearMatrix b = ShearMatrix::Zero();
-  for (int a = 0; a < 8; ++a) {
-    b(0, 3 * a) = point.gradient(0, a);
-    b(0, 3 * a + 2) = point.shape[a];
-    b(1, 3 * a) = point.gradient(1, a);
-    b(1, 3 * a + 1) = -point.shape[a];
-  }
-  return b;
-}
-
 Eigen::Matrix3d bending_law(const PlateProperties& properties) {
   const double nu = properties.poisson_ratio;
   Eigen::Matrix3d law;
@@ -61,12 +50,13 @@ ElementMatrix element_stiffness(const ElementNodes& nodes, const PlateProperties
     }
 
   // Add shear
+  const AssumedShear strain(nodes);
   const double shear = shear_law(properties);
   const numeric::QuadratureRule& two = numeric::gauss_legendre(2);
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j) {
       const ElementPointValues point = evaluate_element(nodes, two.node[i], two.node[j]);
-      const ShearMatrix b = shear_matrix(point);
+      const ShearMatrix b = strain.at(two.node[i], two.node[j]);
       const double weight = two.weight[i] * two.weight[j] * point.jacobian * shear;
       stiffness.noalias() += weight * b.transpose().lazyProduct(b);
     }

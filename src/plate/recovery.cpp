@@ -10,20 +10,17 @@ const double kGaussPoint = 1.0 / std::sqrt(3.0);
 
 }  // namespace
 
-ForceMatrix force_matrix(const ElementPointValues& point, const PlateProperties& properties) {
-  ForceMatrix forces;
-  forces.topRows<3>() = bending_law(properties) * curvature_matrix(point);
-  forces.bottomRows<2>() = shear_law(properties) * shear_matrix(point);
-  return forces;
-}
-
 GaussForceMatrix gauss_force_matrix(const ElementNodes& nodes, const PlateProperties& properties) {
   const Eigen::Matrix<double, 2, 8>& corner = mesh::q8_parametric_nodes();
+  const AssumedShear strain(nodes);
   GaussForceMatrix forces;
-  for (int g = 0; g < 4; ++g)
-    forces.middleRows<kSectionForces>(kSectionForces * g) = force_matrix(
-        evaluate_element(nodes, kGaussPoint * corner(0, g), kGaussPoint * corner(1, g)),
-        properties);
+  for (int g = 0; g < 4; ++g) {
+    const double xi = kGaussPoint * corner(0, g), eta = kGaussPoint * corner(1, g);
+    forces.middleRows<3>(kSectionForces * g) =
+        bending_law(properties) * curvature_matrix(evaluate_element(nodes, xi, eta));
+    forces.middleRows<2>(kSectionForces * g + kShearForceX) =
+        shear_law(properties) * strain.at(xi, eta);
+  }
   return forces;
 }
 

@@ -7,10 +7,6 @@
 /// Section forces and slopes inside an element, from its unknowns.
 namespace floe::plate {
 
-/// Rows: the five section forces of SectionForce, at one point.
-using ForceMatrix = Eigen::Matrix<double, kSectionForces, kElementUnknowns>;
-ForceMatrix force_matrix(const ElementPointValues& point, const PlateProperties& properties);
-
 /// Rows 5g + SectionForce at the 2 × 2 Gauss points g, in the order of the corners.
 using GaussForceMatrix = Eigen::Matrix<double, 4 * kSectionForces, kElementUnknowns>;
 GaussForceMatrix gauss_force_matrix(const ElementNodes& nodes, const PlateProperties& properties);
