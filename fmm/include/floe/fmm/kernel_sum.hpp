@@ -15,7 +15,7 @@ namespace floe::fmm {
 /// const. Same bits for any number of threads, and for a column alone or in a block.
 ///
 /// An engine is a far part, fast and approximate, plus direct sums over near pairs:
-///   apply = far_apply + Σ_{j near i} (G(|x_i - y_j|) - far_value(i, j)) q_j                (F.2)
+///   apply = far_apply + Σ_{j near i} (G(|x_i - y_j|) - far_value(i, j)) q_j
 /// The boundary element operator takes the far part alone and stores one near matrix of its own:
 /// its exact near integrals minus what the engine already gave. So no near pair is summed twice.
 class KernelSum {
