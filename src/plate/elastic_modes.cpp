@@ -40,11 +40,14 @@ Eigenpairs lowest(const Eigenpairs& pairs, Index count) {
 
 }  // namespace
 
-Eigenpairs elastic_modes(const ElasticProblem& problem, Index count, double tolerance) {
+Eigenpairs elastic_modes(const ElasticProblem& problem, const DryModeOptions& wanted) {
+  const Index count = wanted.count;
   const Index size = problem.mass.size(), rigid_count = problem.rigid_basis.cols();
   Eigenpairs found{VecXd(), MatXd(size, 0)};
   MatXd deflated = problem.rigid_basis;
-  LanczosOptions options{.count = std::min(count, kModesAtATime), .tolerance = tolerance};
+  LanczosOptions options{.count = std::min(count, kModesAtATime),
+                         .tolerance = wanted.tolerance,
+                         .max_restarts = wanted.max_restarts};
   while (true) {
     // Seek modes orthogonal to all found so far
     Eigenpairs more =

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <floe/plate/dry_modes.hpp>
+
 #include <plate/lanczos.hpp>
 
 namespace floe::plate {
@@ -13,9 +15,9 @@ struct ElasticProblem {
   const MatXd& rigid_basis;  ///< M-orthonormal
 };
 
-/// The lowest `count` elastic modes, multiple ones with all their copies. Throws ConvergenceError
-/// with how many converged.
-Eigenpairs elastic_modes(const ElasticProblem& problem, Index count, double tolerance);
+/// The lowest `options.count` elastic modes, multiple ones with all their copies. Throws
+/// ConvergenceError with how many converged.
+Eigenpairs elastic_modes(const ElasticProblem& problem, const DryModeOptions& options);
 
 /// All of them by a dense solution: for small plates, and the slow twin of the above.
 Eigenpairs dense_elastic_modes(const PlateMatrices& plate, double shift, const MatXd& rigid_basis);

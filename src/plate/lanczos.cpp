@@ -11,8 +11,6 @@
 namespace floe::plate {
 namespace {
 
-constexpr Index kRestarts = 300;
-
 // x → M x, as Spectra asks for it
 class MassProduct final {
  public:
@@ -77,7 +75,7 @@ Eigenpairs lowest_eigenpairs(const NodeMass& node_mass, const ShiftedFactor& fac
       solver(inverse, mass, options.count, space, -shift);
   try {
     solver.init(start_vector(inverse, node_mass, options.seed).data());
-    solver.compute(Spectra::SortRule::LargestMagn, kRestarts, options.tolerance,
+    solver.compute(Spectra::SortRule::LargestMagn, options.max_restarts, options.tolerance,
                    Spectra::SortRule::SmallestAlge);
   } catch (const Error&) {
     throw;

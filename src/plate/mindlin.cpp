@@ -1,6 +1,7 @@
 #include <floe/numeric/error.hpp>
 #include <floe/plate/mindlin.hpp>
 
+#include <plate/adjacency.hpp>
 #include <plate/assembly.hpp>
 #include <plate/element.hpp>
 

@@ -74,8 +74,8 @@ bool is_small(Index unknowns, Index elastic_count) {
 
 }  // namespace
 
-PieceModes piece_modes(const Piece& piece, const PlateProperties& properties, Index elastic_count,
-                       double tolerance) {
+PieceModes piece_modes(const Piece& piece, const PlateProperties& properties,
+                       const DryModeOptions& options) {
   PieceModes modes;
   Stopwatch watch;
   const PlateMatrices plate = assemble(piece.nodes, piece.elements, properties);
@@ -87,7 +87,7 @@ PieceModes piece_modes(const Piece& piece, const PlateProperties& properties, In
   modes.rigid = rigid_modes(piece.nodes, area.centroid, mass);
   modes.modal_mass = inner_products(modes.rigid, mass * modes.rigid);
   const MatXd rigid_basis = orthonormal_basis(modes.rigid, modes.modal_mass);
-  elastic_count = std::min(elastic_count, mass.size() - rigid_basis.cols());
+  const Index elastic_count = std::min<Index>(options.count, mass.size() - rigid_basis.cols());
   if (elastic_count == 0) {
     modes.elastic.resize(mass.size(), 0);
     return modes;
@@ -104,7 +104,9 @@ PieceModes piece_modes(const Piece& piece, const PlateProperties& properties, In
     modes.report.factor_entries = factor.entry_count();
     modes.report.factor_seconds = watch.lap();
     const ElasticProblem problem{plate, mass, factor, shift, rigid_basis};
-    pairs = elastic_modes(problem, elastic_count, tolerance);
+    pairs = elastic_modes(problem, {.count = static_cast<int>(elastic_count),
+                                    .tolerance = options.tolerance,
+                                    .max_restarts = options.max_restarts});
 
     // Verify each
     const VecXd residual = inverse_residuals(problem, pairs);
@@ -112,7 +114,7 @@ PieceModes piece_modes(const Piece& piece, const PlateProperties& properties, In
     modes.report.largest_residual = residual.maxCoeff();
     for (Index i = 0; i < residual.size(); ++i)
       FLOE_VALIDATE_AS(ConvergenceError,
-                       residual[i] <= expected_residual(problem, pairs.value[i], tolerance),
+                       residual[i] <= expected_residual(problem, pairs.value[i], options.tolerance),
                        "dry modes converged = " << i << " of " << elastic_count
                                                 << " elastic modes (the next has residual "
                                                 << residual[i] << ")");

@@ -21,8 +21,8 @@ MatXcd solve_complex(const ShiftedFactor& factor, const MatXcd& rhs) {
 StaticCorrection::StaticCorrection(const mesh::Q8Mesh& mesh, const PlateProperties& properties,
                                    const DryModes& modes)
     : modes_(modes), loss_factor_(properties.loss_factor) {
-  // NOTE: the shift only makes K + sM definite; a hundredth of the highest mode's ω² keeps the factor
-  // well conditioned and the correction small
+  // NOTE: the shift only makes K + sM definite; a hundredth of the highest mode's ω² keeps the
+  // factor well conditioned and the correction small
   const double highest = modes.omega.maxCoeff();
   FLOE_VALIDATE(highest > 0.0, "invalid modes.count = " << modes.count()
                                                         << " (must hold an elastic mode for "
