@@ -1,6 +1,6 @@
-#include <floe/analysis.hpp>
-
 #include "analysis_stages.hpp"
+
+#include <floe/analysis.hpp>
 
 namespace floe {
 
@@ -17,7 +17,8 @@ void analyse(const Case& data, Log& log, Store& store) {
   store.modes(plate.modes);
 
   // Prepare what no frequency changes
-  const FluidModel fluid = clock.time("geometry", [&] { return prepare_fluid(data, meshes, plate); });
+  const FluidModel fluid =
+      clock.time("geometry", [&] { return prepare_fluid(data, meshes, plate); });
 
   // Solve one frequency after the other
   const double count = static_cast<double>(data.omega.size());

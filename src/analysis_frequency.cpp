@@ -93,7 +93,8 @@ void add_pressures(const Case& data, const FluidModel& fluid, const MatXcd& pres
   }
 }
 
-// Fills in what needs the pressure on the plate: section forces, pressures, wave points, node fields
+// Fills in what needs the pressure on the plate: section forces, pressures, wave points, node
+// fields
 void add_pressure_results(const Case& data, const PlateModel& plate, const FluidModel& fluid,
                           const bem::PressureOperator& pressure_operator,
                           const green::GreenTable& green, const hydro::Radiation& radiation,
@@ -166,15 +167,15 @@ FrequencyResult solve_frequency(const Case& data, const PlateModel& plate, const
         radiation.pressure,
         hydro::wave_loads(fluid.integrals.mesh(), result.wavenumber, fluid.heading));
     result.report.energy_error = hydro::energy_error(
-        radiation, hydro::radiated_damping(radiation.pressure, fluid.integrals.mesh(), omega, data.water),
+        radiation,
+        hydro::radiated_damping(radiation.pressure, fluid.integrals.mesh(), omega, data.water),
         omega);
   });
 
   // Couple plate and fluid, read off the response
   clock.time("response", [&] {
-    result.amplitudes =
-        coupling::modal_amplitudes(plate.modes, data.plate.loss_factor, omega,
-                                   radiation.fluid_matrix, result.exciting_force);
+    result.amplitudes = coupling::modal_amplitudes(plate.modes, data.plate.loss_factor, omega,
+                                                   radiation.fluid_matrix, result.exciting_force);
     read_off_modes(data, plate, result);
     add_pressure_results(data, plate, fluid, *pressure_operator, green, radiation, result);
   });

@@ -83,6 +83,7 @@ Meshes prepare_meshes(const Case& data, Log& log) {
       preflight(data, meshes.fluid, meshes.own_plate ? &*meshes.own_plate : nullptr);
   for (const std::string& warning : found.warnings) log.warning(warning);
   require_resolution(data, found);
+  require_points_on_plates(data, meshes.plate());
   require_budget(estimate(data, meshes.fluid, omp_get_max_threads()),
                  numeric::memory_budget(data.memory_limit, numeric::memory_limits()));
   return meshes;
@@ -102,22 +103,21 @@ PlateModel prepare_plate(const Case& data, const Meshes& meshes) {
   if (wants_section_forces(data)) correction.emplace(mesh, data.plate, modes);
   SparseMatrix from_plate;
   if (meshes.own_plate) from_plate = interpolation_to_nodes(mesh, meshes.fluid);
-  return {std::move(modes),  std::move(fluid_modes), std::move(points),
+  return {std::move(modes), std::move(fluid_modes), std::move(points),
           std::move(lines), std::move(correction),  std::move(from_plate)};
 }
 
 FluidModel prepare_fluid(const Case& data, const Meshes& meshes, const PlateModel& plate) {
   const mesh::Q8Mesh& mesh = meshes.fluid;
-  FluidModel fluid{
-      .integrals = bem::ElementIntegrals(mesh),
-      .surface_mass = hydro::surface_mass(mesh),
-      .deflection = plate.fluid_modes.shape(Eigen::seq(0, Eigen::last, plate::kUnknownsPerNode),
-                                            Eigen::all),
-      .at_points =
-          response::interpolation_to(mesh, positions_of(data.points), names_of(data.points)),
-      .wave_points = positions_of(data.wave_points),
-      .heading = {},
-      .reach = 0.0};
+  FluidModel fluid{.integrals = bem::ElementIntegrals(mesh),
+                   .surface_mass = hydro::surface_mass(mesh),
+                   .deflection = plate.fluid_modes.shape(
+                       Eigen::seq(0, Eigen::last, plate::kUnknownsPerNode), Eigen::all),
+                   .at_points = response::interpolation_to(mesh, positions_of(data.points),
+                                                           names_of(data.points)),
+                   .wave_points = positions_of(data.wave_points),
+                   .heading = {},
+                   .reach = 0.0};
   for (const double degrees : data.heading_deg)
     fluid.heading.push_back(degrees * std::numbers::pi / 180.0);
 

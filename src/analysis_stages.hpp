@@ -1,12 +1,13 @@
 #pragma once
 
-#include <chrono>
 #include <floe/analysis.hpp>
 #include <floe/bem/element_integrals.hpp>
 #include <floe/hydro/radiation.hpp>
 #include <floe/numeric/memory.hpp>
 #include <floe/plate/static_correction.hpp>
 #include <floe/response/modal_basis.hpp>
+
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -60,11 +61,11 @@ struct PlateModel {
 struct FluidModel {
   bem::ElementIntegrals integrals;
   SparseMatrix surface_mass;
-  MatXd deflection;            ///< w of the modes at the fluid's nodes, N × q
-  SparseMatrix at_points;      ///< interpolation to Case::points
+  MatXd deflection;        ///< w of the modes at the fluid's nodes, N × q
+  SparseMatrix at_points;  ///< interpolation to Case::points
   Points2 wave_points;
-  std::vector<double> heading; ///< [rad]
-  double reach = 0.0;          ///< largest distance that the Green function is asked for [m]
+  std::vector<double> heading;  ///< [rad]
+  double reach = 0.0;           ///< largest distance that the Green function is asked for [m]
 };
 
 Meshes prepare_meshes(const Case& data, Log& log);

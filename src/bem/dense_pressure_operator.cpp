@@ -1,11 +1,13 @@
 #include <floe/bem/dense_pressure_operator.hpp>
 #include <floe/numeric/error.hpp>
+
 #include <numbers>
 
 namespace floe::bem {
 namespace {
 
-constexpr Index kRows = 8;  // rows assembled together: half a page of each column is written at once
+constexpr Index kRows =
+    8;  // rows assembled together: half a page of each column is written at once
 
 MatXcd pressure_matrix(const ElementIntegrals& integrals, const green::GreenTable& green) {
   MatXcd matrix = assemble_green_matrix(integrals, green);
@@ -28,9 +30,9 @@ MatXcd assemble_green_matrix(const ElementIntegrals& integrals, const green::Gre
     finite = finite && rows.allFinite();
     matrix.middleRows(first, count) = rows.transpose();
   }
-  FLOE_VALIDATE_AS(ConvergenceError, finite,
-                   "Green function matrix is not finite at nu = " << green.exact().nu()
-                                                                  << " rad/m");
+  FLOE_VALIDATE_AS(
+      ConvergenceError, finite,
+      "Green function matrix is not finite at nu = " << green.exact().nu() << " rad/m");
   return matrix;
 }
 

@@ -1,10 +1,11 @@
-#include <array>
-#include <floe/bem/element_integrals.hpp>
-#include <floe/numeric/error.hpp>
-
 #include "bem/far_rules.hpp"
 #include "bem/near_rules.hpp"
 #include "bem/quadrature_points.hpp"
+
+#include <floe/bem/element_integrals.hpp>
+#include <floe/numeric/error.hpp>
+
+#include <array>
 
 namespace floe::bem {
 namespace {
@@ -66,8 +67,8 @@ void ElementIntegrals::node_row(Index node, const green::GreenTable& green,
                                 Eigen::Ref<VecXcd> row) const {
   std::vector<mesh::ElementPoint> holders;
   for (const auto& [element, local] : node_elements_[node])
-    holders.push_back({element, mesh::q8_parametric_nodes()(0, local),
-                       mesh::q8_parametric_nodes()(1, local)});
+    holders.push_back(
+        {element, mesh::q8_parametric_nodes()(0, local), mesh::q8_parametric_nodes()(1, local)});
   fill_row(mesh_.nodes().col(node), holders, green, row);
 }
 
@@ -78,12 +79,13 @@ void ElementIntegrals::point_row(const Point2& point, const green::GreenTable& g
   const std::vector<mesh::ElementPoint> holders = locator_.locate_all(point);
   Point2 target = point;
   if (!holders.empty())
-    target = mesh_.element_nodes(holders[0].element) *
-             mesh::q8_shape(holders[0].xi, holders[0].eta);
+    target =
+        mesh_.element_nodes(holders[0].element) * mesh::q8_shape(holders[0].xi, holders[0].eta);
   fill_row(target, holders, green, row);
 }
 
-void ElementIntegrals::fill_row(const Point2& target, const std::vector<mesh::ElementPoint>& holders,
+void ElementIntegrals::fill_row(const Point2& target,
+                                const std::vector<mesh::ElementPoint>& holders,
                                 const green::GreenTable& green, Eigen::Ref<VecXcd> row) const {
   FLOE_EXPECT(row.size() == mesh_.node_count());
   const FarRules& rules = *far_;
@@ -118,8 +120,8 @@ void ElementIntegrals::fill_row(const Point2& target, const std::vector<mesh::El
     const double half_edge = rules.half_edge(e);
     double gap = (rules.centre(e) - target).norm() - rules.radius(e);
     if (gap < 4.0 * half_edge) gap = distance_to_element(target, mesh_.element_nodes(e));
-    const int tier = std::max(rules.tier_for_gap(gap, half_edge),
-                              rules.tier_for_wave(wavenumber, half_edge));
+    const int tier =
+        std::max(rules.tier_for_gap(gap, half_edge), rules.tier_for_wave(wavenumber, half_edge));
     if (tier == FarRules::kTooNear) {
       add_near_points(target, mesh_.element_nodes(e), wavenumber, rules, points);
       add_points(e);

@@ -1,8 +1,9 @@
 #include "bem/far_rules.hpp"
 
+#include <floe/numeric/gauss_legendre.hpp>
+
 #include <algorithm>
 #include <cmath>
-#include <floe/numeric/gauss_legendre.hpp>
 
 namespace floe::bem {
 namespace {
@@ -16,8 +17,8 @@ double wave_error(int n, double ka) {
 }
 
 // Gap, in half edges, from which n points are enough (B.3). A target abreast of the cell, the least
-// favourable place, puts a pole at ±i gap: the error is ρ^{-2n}, ρ = gap + √(gap²+1), and the quadratic
-// shape function grows by ρ² on that ellipse
+// favourable place, puts a pole at ±i gap: the error is ρ^{-2n}, ρ = gap + √(gap²+1), and the
+// quadratic shape function grows by ρ² on that ellipse
 double smallest_gap(int n, double tolerance) {
   const double rho = std::pow(tolerance, -1.0 / (2 * n - 2));
   return 0.5 * (rho - 1.0 / rho);

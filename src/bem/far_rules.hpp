@@ -1,10 +1,11 @@
 #pragma once
 
-#include <array>
-#include <floe/mesh/q8_mesh.hpp>
-#include <vector>
-
 #include "bem/quadrature_points.hpp"
+
+#include <floe/mesh/q8_mesh.hpp>
+
+#include <array>
+#include <vector>
 
 namespace floe::bem {
 
@@ -25,15 +26,20 @@ class FarRules {
   /// Largest distance of a node from the centre [m].
   double radius(Index element) const { return radius_[element]; }
 
-  /// First tier whose order integrates e^{ikx} times a shape function over a cell of that half edge.
+  /// First tier whose order integrates e^{ikx} times a shape function over a cell of that half
+  /// edge.
   int tier_for_wave(double wavenumber, double half_edge) const;
   /// First tier good for a target whose distance from the cell is `gap`.
   int tier_for_gap(double gap, double half_edge) const;
   /// Smallest gap / half edge at which tier `tier` is good.
   double least_gap(int tier) const { return least_gap_[tier]; }
 
-  const double* x(int tier, Index element) const { return rule_[tier].x.data() + element * size(tier); }
-  const double* y(int tier, Index element) const { return rule_[tier].y.data() + element * size(tier); }
+  const double* x(int tier, Index element) const {
+    return rule_[tier].x.data() + element * size(tier);
+  }
+  const double* y(int tier, Index element) const {
+    return rule_[tier].y.data() + element * size(tier);
+  }
   const double* weight(int tier, Index element) const {
     return rule_[tier].weight.data() + 8 * element * size(tier);
   }

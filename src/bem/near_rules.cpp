@@ -1,9 +1,11 @@
 #include "bem/near_rules.hpp"
 
+#include <floe/numeric/gauss_legendre.hpp>
+
 #include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
-#include <floe/numeric/gauss_legendre.hpp>
 
 namespace floe::bem {
 namespace {

@@ -1,8 +1,10 @@
 #include "bem/quadrature_points.hpp"
 
-#include <Eigen/LU>
-#include <cmath>
 #include <floe/numeric/simd.hpp>
+
+#include <Eigen/LU>
+
+#include <cmath>
 
 namespace floe::bem {
 

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <cstddef>
 #include <floe/green/green_table.hpp>
 #include <floe/mesh/shape_functions.hpp>
 #include <floe/numeric/types.hpp>
+
+#include <cstddef>
 #include <vector>
 
 namespace floe::bem {

@@ -1,6 +1,7 @@
-#include <Eigen/LU>
 #include <floe/coupling/modal_equation.hpp>
 #include <floe/numeric/error.hpp>
+
+#include <Eigen/LU>
 
 namespace floe::coupling {
 

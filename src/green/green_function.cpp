@@ -1,11 +1,13 @@
-#include <algorithm>
-#include <array>
-#include <boost/math/special_functions/bessel.hpp>
-#include <cmath>
 #include <floe/green/green_function.hpp>
 #include <floe/numeric/error.hpp>
 #include <floe/numeric/gauss_legendre.hpp>
 #include <floe/wave/dispersion.hpp>
+
+#include <boost/math/special_functions/bessel.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 #include <numbers>
 
@@ -20,10 +22,10 @@ double bessel_k0(double x) {
   return x > 700.0 ? 0.0 : boost::math::cyl_bessel_k(0, x, Policy());
 }
 
-constexpr int kGregoryStart = 40;   // first term of (G.3) that the tail replaces
-constexpr int kGregoryOrder = 16;   // differences in its end correction
-constexpr double kSeriesFrom = 0.4; // R/h above which (G.3) is summed as it stands
-constexpr double kNegligible = 42.0; // e^-42 = 6e-19
+constexpr int kGregoryStart = 40;     // first term of (G.3) that the tail replaces
+constexpr int kGregoryOrder = 16;     // differences in its end correction
+constexpr double kSeriesFrom = 0.4;   // R/h above which (G.3) is summed as it stands
+constexpr double kNegligible = 42.0;  // e^-42 = 6e-19
 
 // Weights on g(M), g(M+1), … of Σ_{n≥M} g(n) - ∫_M^∞ g dn (G.6): Gregory's coefficients, those of
 // x/ln(1+x), on the forward differences of g.
@@ -46,13 +48,15 @@ const std::array<double, kGregoryOrder>& gregory_weights() {
   return weights;
 }
 
-// ∫ f over [start, end] by 20 Gauss points on each of the panels [start, 2 start], [2 start, 4 start] …
+// ∫ f over [start, end] by 20 Gauss points on each of the panels [start, 2 start], [2 start, 4
+// start] …
 template <typename Function>
 double integrate_dyadic(double start, double end, Function f) {
   const auto& rule = numeric::gauss_legendre(20);
   double sum = 0.0;
   for (double a = start; a < end; a *= 2.0)
-    for (int i = 0; i < 20; ++i) sum += 0.5 * a * rule.weight[i] * f(a * (1.5 + 0.5 * rule.node[i]));
+    for (int i = 0; i < 20; ++i)
+      sum += 0.5 * a * rule.weight[i] * f(a * (1.5 + 0.5 * rule.node[i]));
   return sum;
 }
 

@@ -1,10 +1,11 @@
+#include <floe/green/green_table.hpp>
+#include <floe/numeric/error.hpp>
+#include <floe/numeric/simd.hpp>
+
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
-#include <floe/green/green_table.hpp>
-#include <floe/numeric/error.hpp>
-#include <floe/numeric/simd.hpp>
 #include <numbers>
 
 namespace floe::green {
@@ -114,7 +115,8 @@ GreenTable::GreenTable(const GreenFunction& green, double max_distance)
   for (std::int64_t panel = 0; panel < count; ++panel) {
     double start, width;
     if (panel < uniform_first_) {
-      start = std::ldexp(1.0 + static_cast<double>(panel % 8) / 8.0, bottom + static_cast<int>(panel / 8));
+      start = std::ldexp(1.0 + static_cast<double>(panel % 8) / 8.0,
+                         bottom + static_cast<int>(panel / 8));
       width = std::ldexp(0.125, bottom + static_cast<int>(panel / 8));
     } else {
       width = 1.0 / panels_per_metre_;
@@ -122,7 +124,8 @@ GreenTable::GreenTable(const GreenFunction& green, double max_distance)
     }
     Terms value;
     for (int i = 0; i < kTerms; ++i)
-      value[i] = green_(start + 0.5 * width * (1.0 + std::cos(std::numbers::pi * (i + 0.5) / kTerms)));
+      value[i] =
+          green_(start + 0.5 * width * (1.0 + std::cos(std::numbers::pi * (i + 0.5) / kTerms)));
     const Terms power = interpolate(value);
     for (int j = 0; j < kTerms; ++j) {
       coefficient_[2 * (kTerms * panel + j)] = power[j].real();

@@ -1,9 +1,10 @@
-#include <algorithm>
-#include <cmath>
 #include <floe/hydro/radiation.hpp>
 #include <floe/hydro/surface_integrals.hpp>
 #include <floe/numeric/error.hpp>
 #include <floe/wave/dispersion.hpp>
+
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace floe::hydro {
@@ -31,8 +32,8 @@ double solve_checked(const bem::PressureOperator& pressure_operator, MatXcd& x, 
 
 Radiation solve_radiation(const bem::PressureOperator& pressure_operator,
                           const Eigen::Ref<const MatXd>& deflection,
-                          const SparseMatrix& surface_mass, double omega,
-                          const wave::Water& water, double residual_limit) {
+                          const SparseMatrix& surface_mass, double omega, const wave::Water& water,
+                          double residual_limit) {
   const double weight = water.density * water.gravity;
   Radiation result;
   result.pressure = -weight * deflection.cast<Complex>();

@@ -1,11 +1,13 @@
-#include <Eigen/LU>
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <floe/hydro/surface_integrals.hpp>
 #include <floe/mesh/shape_functions.hpp>
 #include <floe/numeric/error.hpp>
 #include <floe/numeric/gauss_legendre.hpp>
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <numbers>
 
 namespace floe::hydro {
@@ -70,7 +72,8 @@ MatXcd incident_elevation(const Points2& points, double wavenumber,
   for (std::size_t b = 0; b < heading.size(); ++b) {
     const Point2 direction(std::cos(heading[b]), std::sin(heading[b]));
     for (Index i = 0; i < points.cols(); ++i)
-      elevation(i, static_cast<Index>(b)) = std::polar(1.0, wavenumber * direction.dot(points.col(i)));
+      elevation(i, static_cast<Index>(b)) =
+          std::polar(1.0, wavenumber * direction.dot(points.col(i)));
   }
   return elevation;
 }

@@ -1,5 +1,6 @@
 #include <floe/hydro/wave_field.hpp>
 #include <floe/numeric/error.hpp>
+
 #include <numbers>
 
 namespace floe::hydro {

@@ -59,7 +59,6 @@ void check_duplicate_elements(const Points2& nodes, const Connectivity& elements
   struct Corners {
     std::array<Index, 4> sorted;
     Index element;
-    auto operator<=>(const Corners&) const = default;
   };
   std::vector<Corners> all(elements.cols());
   for (Index e = 0; e < elements.cols(); ++e) {
@@ -67,7 +66,9 @@ void check_duplicate_elements(const Points2& nodes, const Connectivity& elements
     std::sort(all[e].sorted.begin(), all[e].sorted.end());
     all[e].element = e;
   }
-  std::sort(all.begin(), all.end());
+  std::sort(all.begin(), all.end(), [](const Corners& a, const Corners& b) {
+    return std::tie(a.sorted, a.element) < std::tie(b.sorted, b.element);
+  });
   Culprits culprits;
   for (std::size_t i = 1; i < all.size(); ++i)
     if (all[i].sorted == all[i - 1].sorted)

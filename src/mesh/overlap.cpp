@@ -38,6 +38,7 @@ std::vector<BoundaryEdge> boundary_edges(const Points2& nodes, const Connectivit
 
 BoxTree edge_tree(const std::vector<BoundaryEdge>& boundary) {
   std::vector<Box> boxes;
+  boxes.reserve(boundary.size());
   for (const BoundaryEdge& edge : boundary) boxes.push_back(edge.curve.box(0.0));
   return BoxTree(boxes);
 }

@@ -14,7 +14,8 @@ BoxTree element_tree(const Q8Mesh& mesh) {
   return BoxTree(boxes);
 }
 
-// Where the element holds the point; or the nearest place of its edges, if that is within `tolerance`
+// Where the element holds the point; or the nearest place of its edges, if that is within
+// `tolerance`
 std::optional<ElementPoint> hold(const Q8Mesh& mesh, Index element, const Point2& point,
                                  double tolerance) {
   const ElementNodes nodes = mesh.element_nodes(element);

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 namespace floe::mesh {
@@ -86,7 +87,9 @@ struct Cell {
   std::int64_t column;
   Index node;
 
-  auto operator<=>(const Cell&) const = default;
+  bool operator<(const Cell& other) const {
+    return std::tie(row, column, node) < std::tie(other.row, other.column, other.node);
+  }
 };
 
 }  // namespace

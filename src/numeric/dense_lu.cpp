@@ -1,7 +1,8 @@
-#include <algorithm>
 #include <floe/numeric/blas_threads.hpp>
 #include <floe/numeric/dense_lu.hpp>
 #include <floe/numeric/error.hpp>
+
+#include <algorithm>
 
 extern "C" {
 void zgetrf_(const int* m, const int* n, floe::Complex* a, const int* lda, int* ipiv, int* info);
@@ -19,8 +20,8 @@ void zgemm_(const char* transa, const char* transb, const int* m, const int* n, 
 namespace floe::numeric {
 namespace {
 
-constexpr int kPanel = 96;   // columns factored at once
-constexpr int kTile = 192;   // columns updated by one thread at a time
+constexpr int kPanel = 96;  // columns factored at once
+constexpr int kTile = 192;  // columns updated by one thread at a time
 
 const Complex kOne(1.0, 0.0), kMinusOne(-1.0, 0.0);
 

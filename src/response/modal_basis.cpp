@@ -45,8 +45,10 @@ SparseMatrix select_force(const SparseMatrix& interpolation, const std::vector<I
   std::vector<Eigen::Triplet<double, std::int64_t>> entries;
   for (std::size_t k = 0; k < nodes.size(); ++k)
     for (SparseMatrix::InnerIterator it(interpolation, nodes[k]); it; ++it)
-      entries.emplace_back(it.row(), plate::kSectionForces * static_cast<Index>(k) + row, it.value());
-  SparseMatrix select(interpolation.rows(), plate::kSectionForces * static_cast<Index>(nodes.size()));
+      entries.emplace_back(it.row(), plate::kSectionForces * static_cast<Index>(k) + row,
+                           it.value());
+  SparseMatrix select(interpolation.rows(),
+                      plate::kSectionForces * static_cast<Index>(nodes.size()));
   select.setFromTriplets(entries.begin(), entries.end());
   return select;
 }
@@ -108,8 +110,7 @@ MatXcd ModalBasis::evaluate(Quantity quantity, double omega, const MatXcd& ampli
 }
 
 MatXcd ModalBasis::evaluate_displacement(Quantity quantity, const MatXcd& displacement) const {
-  return Complex(1.0, -loss_factor_) *
-         (section_force_.at(quantity).cast<Complex>() * displacement);
+  return Complex(1.0, -loss_factor_) * (section_force_.at(quantity).cast<Complex>() * displacement);
 }
 
 }  // namespace floe::response

@@ -2,6 +2,7 @@
 #include <floe/mesh/shape_functions.hpp>
 #include <floe/numeric/error.hpp>
 #include <floe/response/stations.hpp>
+
 #include <vector>
 
 namespace floe::response {

@@ -1,6 +1,7 @@
-#include <cmath>
 #include <floe/numeric/error.hpp>
 #include <floe/wave/dispersion.hpp>
+
+#include <cmath>
 #include <numbers>
 
 namespace floe::wave {

@@ -1,18 +1,18 @@
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <expect.hpp>
 #include <floe/bem/dense_pressure_operator.hpp>
 #include <floe/bem/element_integrals.hpp>
 #include <floe/mesh/rectangle.hpp>
 #include <floe/mesh/shape_functions.hpp>
 #include <floe/numeric/error.hpp>
 #include <floe/numeric/gauss_legendre.hpp>
+
 #include <Eigen/LU>
-#include <limits>
-#include <numbers>
+#include <expect.hpp>
+#include <gtest/gtest.h>
 #include <omp.h>
 
+#include <cmath>
+#include <limits>
+#include <numbers>
 
 namespace floe::bem {
 namespace {
@@ -21,8 +21,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // One element whose nodes are moved by a smooth map, so that edges are curved
 mesh::Q8Mesh curved_patch(int nx, int ny) {
-  const mesh::Q8Mesh flat =
-      mesh::make_rectangle({.length = 4.0, .width = 3.0, .nx = nx, .ny = ny});
+  const mesh::Q8Mesh flat = mesh::make_rectangle({.length = 4.0, .width = 3.0, .nx = nx, .ny = ny});
   Points2 nodes = flat.nodes();
   for (Index i = 0; i < nodes.cols(); ++i) {
     const double x = nodes(0, i), y = nodes(1, i);
@@ -42,10 +41,10 @@ void add_by_halving(const mesh::Q8Mesh& mesh, Index element, const Point2& x,
   double radius = 0.0;
   for (const double sx : {-1.0, 1.0})
     for (const double sy : {-1.0, 1.0})
-      radius = std::max(radius, (nodes * mesh::q8_shape(centre.x() + sx * half.x(),
-                                                        centre.y() + sy * half.y()) -
-                                 middle)
-                                    .norm());
+      radius = std::max(
+          radius,
+          (nodes * mesh::q8_shape(centre.x() + sx * half.x(), centre.y() + sy * half.y()) - middle)
+              .norm());
   const double scale = std::min(green.depth(), 1.0 / green.wavenumber());
   if (((middle - x).norm() < 2.5 * radius || radius > 2.0 * scale) && level > 0) {
     for (const double sx : {-0.5, 0.5})
@@ -67,7 +66,8 @@ void add_by_halving(const mesh::Q8Mesh& mesh, Index element, const Point2& x,
     }
 }
 
-VecXcd row_by_halving(const mesh::Q8Mesh& mesh, const Point2& x, const green::GreenFunction& green) {
+VecXcd row_by_halving(const mesh::Q8Mesh& mesh, const Point2& x,
+                      const green::GreenFunction& green) {
   VecXcd row = VecXcd::Zero(mesh.node_count());
   // 24 halvings leave a cell of 2^-24 of the element, whose 1/R integral is as small
   for (Index e = 0; e < mesh.element_count(); ++e)
@@ -102,14 +102,20 @@ TEST(twin_ElementIntegrals, OfPointsInsideOnAndOffThePlateEqualRepeatedHalving) 
   const auto on = [&](Index e, double xi, double eta) {
     return Point2(mesh.element_nodes(e) * mesh::q8_shape(xi, eta));
   };
-  const Point2 points[] = {on(0, 0.0, 0.0),  on(1, 0.31, -0.94), on(0, 1.0, 0.2), on(3, 0.4, 1.0),
-                           Point2(5.0, 7.0), Point2(2.7, 0.3),   on(3, 0.4, 1.0) + Point2(0, 0.01)};
+  const Point2 points[] = {on(0, 0.0, 0.0),
+                           on(1, 0.31, -0.94),
+                           on(0, 1.0, 0.2),
+                           on(3, 0.4, 1.0),
+                           Point2(5.0, 7.0),
+                           Point2(2.7, 0.3),
+                           on(3, 0.4, 1.0) + Point2(0, 0.01)};
   for (const Water& water : kWaters) {
     const green::GreenTable green(green::GreenFunction(water.nu, water.depth), 20.0);
     for (const Point2& point : points) {
       VecXcd row(mesh.node_count());
       integrals.point_row(point, green, row);
-      test::expect_all_close(row, row_by_halving(mesh, point, green.exact()), 1e-8, 0.0, water.name);
+      test::expect_all_close(row, row_by_halving(mesh, point, green.exact()), 1e-8, 0.0,
+                             water.name);
     }
   }
 }
@@ -130,7 +136,8 @@ TEST(order_ElementIntegrals, ErrorFollowsTheToleranceAskedFor) {
   const green::GreenTable green(green::GreenFunction(0.4, 3.0), 10.0);
   const MatXcd truth = assemble_green_matrix(ElementIntegrals(mesh, {.tolerance = 1e-12}), green);
   for (const double tolerance : {1e-3, 1e-5, 1e-7, 1e-9}) {
-    const MatXcd matrix = assemble_green_matrix(ElementIntegrals(mesh, {.tolerance = tolerance}), green);
+    const MatXcd matrix =
+        assemble_green_matrix(ElementIntegrals(mesh, {.tolerance = tolerance}), green);
     EXPECT_LE(test::relative_error(matrix, truth), tolerance) << tolerance;
   }
 }

@@ -1,11 +1,14 @@
+#include "second_formula.hpp"
+
+#include <floe/green/green_function.hpp>
+#include <floe/green/green_table.hpp>
+#include <floe/numeric/error.hpp>
+
+#include <csv.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <csv.hpp>
-#include <floe/green/green_function.hpp>
-#include <floe/green/green_table.hpp>
-#include <floe/numeric/error.hpp>
 #include <limits>
 #include <map>
 #include <memory>
@@ -13,8 +16,6 @@
 #include <random>
 #include <utility>
 #include <vector>
-
-#include "second_formula.hpp"
 
 namespace floe::green {
 namespace {
@@ -93,7 +94,8 @@ TEST(twin_GreenFunction, EqualsTheRayIntegralAtRandomPoints) {
     const GreenFunction green(c.nu, 1.0);
     const Complex value = green(c.distance);
     // The wave part is common to both formulas; its k is tested in Wavenumber, its H0 by the tables
-    const Complex twin = value - green.remainder(c.distance) + test::remainder(c.nu, 1.0, c.distance);
+    const Complex twin =
+        value - green.remainder(c.distance) + test::remainder(c.nu, 1.0, c.distance);
     EXPECT_LE(relative_error(value, twin), kExactTolerance) << "nu=" << c.nu << " R=" << c.distance;
   }
 }

@@ -1,14 +1,15 @@
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <expect.hpp>
 #include <floe/hydro/radiation.hpp>
 #include <floe/hydro/surface_integrals.hpp>
 #include <floe/hydro/wave_field.hpp>
 #include <floe/numeric/error.hpp>
+
+#include <expect.hpp>
+#include <gtest/gtest.h>
+#include <rigid_plate.hpp>
+
+#include <cmath>
 #include <limits>
 #include <numbers>
-#include <rigid_plate.hpp>
 
 namespace floe::hydro {
 namespace {
@@ -56,11 +57,11 @@ TEST(identity_Radiation, DirectAndReciprocalForcesAgree) {
   const std::vector<double> heading{0.0, 0.4, 1.2, 2.5};
   const SolvedPlate& plate = solved();
   const MatXcd elevation = incident_elevation(plate.mesh.nodes(), plate.wavenumber, heading);
-  const MatXcd direct = exciting_forces_direct(
-      plate.deflection, plate.surface_mass,
-      solve_diffraction(plate.pressure_operator, elevation, kWater, 1e-10));
-  const MatXcd reciprocal = exciting_forces(plate.radiation.pressure,
-                                            wave_loads(plate.mesh, plate.wavenumber, heading));
+  const MatXcd direct =
+      exciting_forces_direct(plate.deflection, plate.surface_mass,
+                             solve_diffraction(plate.pressure_operator, elevation, kWater, 1e-10));
+  const MatXcd reciprocal =
+      exciting_forces(plate.radiation.pressure, wave_loads(plate.mesh, plate.wavenumber, heading));
   EXPECT_LE(test::relative_error(reciprocal, direct), 5e-3);
 }
 
@@ -68,10 +69,10 @@ TEST(identity_Radiation, OfATransposedProblemIsNotTheSameProblem) {
   // A guard for the tests above: a wave from the other side gives another force
   const SolvedPlate& plate = solved();
   const std::vector<double> heading{0.4}, reversed{0.4 + std::numbers::pi};
-  const MatXcd force = exciting_forces(plate.radiation.pressure,
-                                       wave_loads(plate.mesh, plate.wavenumber, heading));
-  const MatXcd other = exciting_forces(plate.radiation.pressure,
-                                       wave_loads(plate.mesh, plate.wavenumber, reversed));
+  const MatXcd force =
+      exciting_forces(plate.radiation.pressure, wave_loads(plate.mesh, plate.wavenumber, heading));
+  const MatXcd other =
+      exciting_forces(plate.radiation.pressure, wave_loads(plate.mesh, plate.wavenumber, reversed));
   EXPECT_GE(test::relative_error(other, force), 0.1);
 }
 
@@ -79,8 +80,8 @@ TEST(limit_Radiation, TendsToHydrostaticsAsTheFrequencyVanishes) {
   // p → -ρg w, the next term is of the order κ𝒢 ~ νL; P_ij → -ρg ∫ w_i w_j
   const wave::Water water{.depth = 12.0};
   const SolvedPlate plate(small_plate(), 1e-4, water);
-  const MatXd hydrostatic = 1025.0 * 9.81 * plate.deflection.transpose() *
-                            (plate.surface_mass * plate.deflection);
+  const MatXd hydrostatic =
+      1025.0 * 9.81 * plate.deflection.transpose() * (plate.surface_mass * plate.deflection);
   EXPECT_LE(test::relative_error(plate.radiation.fluid_matrix, -hydrostatic.cast<Complex>()), 1e-4);
 }
 
@@ -97,8 +98,8 @@ TEST(identity_WaveField, OnThePlateIsDeflectionPlusPressureHead) {
   const MatXcd elevation = incident_elevation(plate.mesh.nodes(), plate.wavenumber, heading);
   const MatXcd pressure = solve_diffraction(plate.pressure_operator, elevation, kWater, 1e-10);
   const Points2 nodes = plate.mesh.nodes().leftCols(20);
-  const MatXcd field = wave_elevation(plate.integrals, plate.green, kWater, nodes,
-                                      elevation.topRows(20), pressure);
+  const MatXcd field =
+      wave_elevation(plate.integrals, plate.green, kWater, nodes, elevation.topRows(20), pressure);
   // At collocation nodes, that is the solver's own residual
   test::expect_all_close(field, pressure.topRows(20) / (1025.0 * 9.81), 1e-7);
 }
@@ -108,8 +109,8 @@ TEST(identity_WaveField, IsContinuousAtTheEdge) {
   const std::vector<double> heading{0.6};
   const MatXcd elevation = incident_elevation(plate.mesh.nodes(), plate.wavenumber, heading);
   const MatXcd pressure = solve_diffraction(plate.pressure_operator, elevation, kWater, 1e-10);
-  // ζ is continuous with a slope that grows like the logarithm of the distance from the edge: a step
-  // of d changes it by d·ln(L/d) times the gradient scale k
+  // ζ is continuous with a slope that grows like the logarithm of the distance from the edge: a
+  // step of d changes it by d·ln(L/d) times the gradient scale k
   for (const double d : {1e-2, 1e-4, 1e-6}) {
     Points2 points(2, 4);
     points << 30.0, 30.0 + d, 3.3, 3.3,  //
@@ -131,8 +132,8 @@ TEST(identity_WaveField, ApproachesItsFarFieldAmplitude) {
   const double k = plate.wavenumber, r = 900.0, theta = 2.1;
   Points2 point(2, 1);
   point << r * std::cos(theta), r * std::sin(theta);
-  const Complex scattered = wave_elevation(plate.integrals, plate.green, kWater, point,
-                                           MatXcd::Zero(1, 1), pressure)(0);
+  const Complex scattered =
+      wave_elevation(plate.integrals, plate.green, kWater, point, MatXcd::Zero(1, 1), pressure)(0);
   const std::vector<double> reversed{theta + std::numbers::pi};
   const Complex amplitude = far_field_amplitude(plate.green.exact(), kWater,
                                                 wave_loads(plate.mesh, k, reversed), pressure)(0);
@@ -169,20 +170,22 @@ TEST(order_WaveField, ResidualAtElementCentresFallsUnderRefinement) {
     const SolvedPlate plate(mesh, kOmega, kWater);
     const std::vector<double> heading{0.6};
     const MatXcd pressure = solve_diffraction(
-        plate.pressure_operator, incident_elevation(mesh.nodes(), plate.wavenumber, heading), kWater,
-        1e-10);
+        plate.pressure_operator, incident_elevation(mesh.nodes(), plate.wavenumber, heading),
+        kWater, 1e-10);
     Points2 centres(2, mesh.element_count());
     VecXcd head(mesh.element_count());
     for (Index e = 0; e < mesh.element_count(); ++e) {
       const mesh::Shape8 shape = mesh::q8_shape(0.0, 0.0);
       centres.col(e) = mesh.element_nodes(e) * shape;
       head[e] = 0.0;
-      for (int a = 0; a < 8; ++a) head[e] += shape[a] * pressure(mesh.elements()(a, e)) / 1025.0 / 9.81;
+      for (int a = 0; a < 8; ++a)
+        head[e] += shape[a] * pressure(mesh.elements()(a, e)) / 1025.0 / 9.81;
     }
     const MatXcd field =
         wave_elevation(plate.integrals, plate.green, kWater, centres,
                        incident_elevation(centres, plate.wavenumber, heading), pressure);
-    const double residual = std::sqrt((field - head).squaredNorm() / static_cast<double>(head.size()));
+    const double residual =
+        std::sqrt((field - head).squaredNorm() / static_cast<double>(head.size()));
     // Of the order h^1.5 at least in the mean: the square root of an edge strip with error h
     EXPECT_LE(residual, previous / 2.8) << n;
     previous = residual;

@@ -13,7 +13,8 @@ namespace floe::test {
 /// The water of the paper's Table 1.
 inline wave::Water table1_water() { return {.depth = 58.5, .density = 1025.0, .gravity = 9.81}; }
 
-/// Heave w = 1, pitch w = x/(L/2), roll w = y/(B/2) at the nodes, N × 3, the order of the reference.
+/// Heave w = 1, pitch w = x/(L/2), roll w = y/(B/2) at the nodes, N × 3, the order of the
+/// reference.
 inline MatXd rigid_deflections(const mesh::Q8Mesh& mesh) {
   MatXd deflection(mesh.node_count(), 3);
   deflection.col(0).setOnes();

@@ -2,9 +2,11 @@
 
 #include <floe/mesh/q8_mesh.hpp>
 #include <floe/mesh/rectangle.hpp>
+#include <floe/numeric/error.hpp>
 
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <vector>
 
 /// Small meshes that tests share, as raw arrays so that a test can spoil them before they are
@@ -74,6 +76,16 @@ inline MeshArrays ring_arrays(double inner, double outer, int around, int across
   ring.nodes.conservativeResize(2, count);
   for (Index& n : ring.elements.reshaped()) n = number[n];
   return ring;
+}
+
+/// The message of the MeshError that the arrays give; "" if they are accepted.
+inline std::string error_of(const MeshArrays& arrays) {
+  try {
+    arrays.build();
+  } catch (const MeshError& error) {
+    return error.what();
+  }
+  return "";
 }
 
 }  // namespace floe::test

@@ -1,8 +1,9 @@
+#include <floe/numeric/error.hpp>
+#include <floe/wave/dispersion.hpp>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <floe/numeric/error.hpp>
-#include <floe/wave/dispersion.hpp>
 #include <limits>
 #include <numbers>
 
@@ -37,7 +38,8 @@ TEST(limit_Wavenumber, TendsToDeepAndToShallowWater) {
   // kh tanh kh = (kh)² (1 - (kh)²/3 …): k = ω/√(gh) to (kh)²/6
   const Water shallow{.depth = 1e-3};
   const double kh = 0.01 / std::sqrt(9.81 * 1e-3) * 1e-3;
-  EXPECT_NEAR(wavenumber(0.01, shallow) * std::sqrt(9.81 * 1e-3) / 0.01, 1.0, kh * kh / 6.0 + 1e-15);
+  EXPECT_NEAR(wavenumber(0.01, shallow) * std::sqrt(9.81 * 1e-3) / 0.01, 1.0,
+              kh * kh / 6.0 + 1e-15);
 }
 
 TEST(Wavenumber, RejectsWhatIsNotPositive) {

@@ -8,11 +8,12 @@
 namespace floe::bem {
 
 /// 𝒢 by nodal collocation as a dense matrix, row = collocation node; assembled in parallel, same
-/// bits for any number of threads. 16 N² bytes. Throws ConvergenceError when an entry is not finite.
+/// bits for any number of threads. 16 N² bytes. Throws ConvergenceError when an entry is not
+/// finite.
 MatXcd assemble_green_matrix(const ElementIntegrals& integrals, const green::GreenTable& green);
 
-/// I + κ𝒢 as a dense matrix with its LU factors: the truth to which the fast operators are compared.
-/// 32 N² bytes.
+/// I + κ𝒢 as a dense matrix with its LU factors: the truth to which the fast operators are
+/// compared. 32 N² bytes.
 class DensePressureOperator final : public PressureOperator {
  public:
   DensePressureOperator(const ElementIntegrals& integrals, const green::GreenTable& green);

@@ -4,6 +4,7 @@
 #include <floe/mesh/point_locator.hpp>
 #include <floe/mesh/q8_mesh.hpp>
 #include <floe/numeric/types.hpp>
+
 #include <memory>
 #include <utility>
 #include <vector>
@@ -23,7 +24,8 @@ struct IntegralOptions {
 /// for the Q8 function N_m of every node m. Far elements by a tensor Gauss rule whose order follows
 /// from the distance and the wavenumber; near elements by recursive subdivision until they are far;
 /// elements that hold x by triangles at x with the singularities 1/R and log R transformed away
-/// (B.5)–(B.7). Works for curved and stretched elements and any x: node, inside, edge, off the plate.
+/// (B.5)–(B.7). Works for curved and stretched elements and any x: node, inside, edge, off the
+/// plate.
 class ElementIntegrals {
  public:
   /// Keeps a view of the mesh, which must outlive it. Frequency-independent.

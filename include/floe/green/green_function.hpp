@@ -2,11 +2,13 @@
 
 #include <floe/fmm/radial_kernel.hpp>
 #include <floe/numeric/types.hpp>
+
 #include <vector>
 
 namespace floe::green {
 
-/// Green function of the free surface for source and field point on z = 0, G ~ 2/R (G.1), paper (10):
+/// Green function of the free surface for source and field point on z = 0, G ~ 2/R (G.1), paper
+/// (10):
 ///   G(R) = c H0⁽¹⁾(kR) + F(R),   c = 2πi k²/(h(k²-ν²)+ν)                               (G.2)
 /// with the real, non-oscillating remainder
 ///   F(R) = 4 Σ_n k_n²/(h(k_n²+ν²)-ν) K0(k_n R)                                         (G.3)
@@ -15,7 +17,8 @@ namespace floe::green {
 /// and R/h from 1e-6 to 1e3; a few microseconds a value. GreenTable is the fast way.
 class GreenFunction {
  public:
-  /// `nu` = ω²/g [rad/m], `depth` = h [m], may be infinite. Throws InputError unless both are positive.
+  /// `nu` = ω²/g [rad/m], `depth` = h [m], may be infinite. Throws InputError unless both are
+  /// positive.
   GreenFunction(double nu, double depth);
 
   /// G(R) [1/m] for a horizontal distance R ≥ 0 [m]; G(0) has an infinite real part. Never NaN;
@@ -39,9 +42,9 @@ class GreenFunction {
   double nu_;
   double depth_;
   long double wavenumber_;
-  double wave_amplitude_;                    // Im c
-  std::vector<double> evanescent_;           // k_n, n = 1 …
-  std::vector<double> evanescent_amplitude_; // k_n²/(h(k_n²+ν²)-ν)
+  double wave_amplitude_;                     // Im c
+  std::vector<double> evanescent_;            // k_n, n = 1 …
+  std::vector<double> evanescent_amplitude_;  // k_n²/(h(k_n²+ν²)-ν)
 };
 
 }  // namespace floe::green

@@ -4,6 +4,7 @@
 #include <floe/mesh/q8_mesh.hpp>
 #include <floe/numeric/types.hpp>
 #include <floe/wave/water.hpp>
+
 #include <span>
 
 namespace floe::hydro {
@@ -22,8 +23,8 @@ struct Radiation {
 /// a residual exceeds `residual_limit`, naming the mode.
 Radiation solve_radiation(const bem::PressureOperator& pressure_operator,
                           const Eigen::Ref<const MatXd>& deflection,
-                          const SparseMatrix& surface_mass, double omega,
-                          const wave::Water& water, double residual_limit);
+                          const SparseMatrix& surface_mass, double omega, const wave::Water& water,
+                          double residual_limit);
 
 /// Wave pressure on the fixed plate p_ζ = ρg (I + κ𝒢)⁻¹ ζ (H.5), N × headings [Pa/m]; `elevation`
 /// holds nodal values of any incident elevation, one column each. Throws as solve_radiation.

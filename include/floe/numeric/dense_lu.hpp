@@ -1,13 +1,14 @@
 #pragma once
 
 #include <floe/numeric/types.hpp>
+
 #include <vector>
 
 namespace floe::numeric {
 
 /// LU factorisation with partial pivoting of a dense complex matrix, in place: LAPACK's zgetrf on
-/// panels, BLAS on the rest in fixed tiles that the threads share, so that the factors have the same
-/// bits for any number of threads. 8/3 N³ flops, 16 N² bytes.
+/// panels, BLAS on the rest in fixed tiles that the threads share, so that the factors have the
+/// same bits for any number of threads. 8/3 N³ flops, 16 N² bytes.
 class DenseLu {
  public:
   /// Takes the matrix over and factors it. Throws ConvergenceError when it is exactly singular.

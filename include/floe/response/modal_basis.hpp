@@ -35,8 +35,8 @@ class ModalBasis {
 
  private:
   double loss_factor_;
-  std::map<Quantity, MatXd> values_;               // points × q, without factors of time and loss
-  std::map<Quantity, SparseMatrix> section_force_; // points × 3N
+  std::map<Quantity, MatXd> values_;                // points × q, without factors of time and loss
+  std::map<Quantity, SparseMatrix> section_force_;  // points × 3N
 };
 
 }  // namespace floe::response

@@ -2,6 +2,7 @@
 
 #include <floe/mesh/q8_mesh.hpp>
 #include <floe/numeric/types.hpp>
+
 #include <span>
 #include <string>
 

@@ -1,1 +1,0 @@
-// The first engine (direct sum) arrives with the kernel sums.
