@@ -1,4 +1,4 @@
-#include <plate/adjacency.hpp>
+#include "plate/adjacency.hpp"
 
 #include <algorithm>
 

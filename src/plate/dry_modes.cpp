@@ -1,9 +1,9 @@
+#include "plate/frequency_error.hpp"
+#include "plate/piece_modes.hpp"
+
 #include <floe/numeric/blas_threads.hpp>
 #include <floe/numeric/error.hpp>
 #include <floe/plate/dry_modes.hpp>
-
-#include <plate/frequency_error.hpp>
-#include <plate/piece_modes.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,9 @@
+#include "plate/frequency_error.hpp"
+
+#include "plate/nodal_average.hpp"
+#include "plate/recovery.hpp"
+
 #include <Eigen/LU>
-#include <plate/frequency_error.hpp>
-#include <plate/nodal_average.hpp>
-#include <plate/recovery.hpp>
 
 #include <algorithm>
 #include <cmath>

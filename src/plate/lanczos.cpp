@@ -1,8 +1,10 @@
+#include "plate/lanczos.hpp"
+
+#include "plate/sparse_products.hpp"
+
 #include <floe/numeric/error.hpp>
 
 #include <Spectra/SymGEigsShiftSolver.h>
-#include <plate/lanczos.hpp>
-#include <plate/sparse_products.hpp>
 
 #include <algorithm>
 #include <random>

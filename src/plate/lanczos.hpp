@@ -1,7 +1,7 @@
 #pragma once
 
-#include <plate/shifted_factor.hpp>
-#include <plate/sparse_products.hpp>
+#include "plate/shifted_factor.hpp"
+#include "plate/sparse_products.hpp"
 
 namespace floe::plate {
 

@@ -1,4 +1,4 @@
-#include <plate/nodal_average.hpp>
+#include "plate/nodal_average.hpp"
 
 #include <numeric>
 

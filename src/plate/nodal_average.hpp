@@ -1,8 +1,8 @@
 #pragma once
 
-#include <floe/mesh/q8_mesh.hpp>
+#include "plate/adjacency.hpp"
 
-#include <plate/adjacency.hpp>
+#include <floe/mesh/q8_mesh.hpp>
 
 #include <vector>
 

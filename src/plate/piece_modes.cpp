@@ -1,10 +1,12 @@
+#include "plate/piece_modes.hpp"
+
+#include "plate/assembly.hpp"
+#include "plate/elastic_modes.hpp"
+
 #include <floe/numeric/error.hpp>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <plate/assembly.hpp>
-#include <plate/elastic_modes.hpp>
-#include <plate/piece_modes.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -97,7 +99,7 @@ PieceModes piece_modes(const Piece& piece, const PlateProperties& properties,
   // Find the elastic ones
   Eigenpairs pairs;
   if (is_small(mass.size(), elastic_count)) {
-    pairs = dense_elastic_modes(plate, shift, rigid_basis);
+    pairs = dense_elastic_modes(plate, shift, rigid_basis, elastic_count);
     modes.report.iteration_seconds = watch.lap();
   } else {
     const ShiftedFactor factor(plate, shift);
@@ -120,8 +122,8 @@ PieceModes piece_modes(const Piece& piece, const PlateProperties& properties,
                                                 << residual[i] << ")");
     modes.report.iteration_seconds = watch.lap();
   }
-  modes.eigenvalue = pairs.value.head(elastic_count);
-  modes.elastic = pairs.vector.leftCols(elastic_count);
+  modes.eigenvalue = std::move(pairs.value);
+  modes.elastic = std::move(pairs.vector);
   return modes;
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "plate/sparse_products.hpp"
+
 #include <floe/plate/dry_modes.hpp>
 #include <floe/plate/mindlin.hpp>
-
-#include <plate/sparse_products.hpp>
 
 #include <vector>
 

@@ -1,9 +1,9 @@
+#include "plate/adjacency.hpp"
+#include "plate/nodal_average.hpp"
+#include "plate/recovery.hpp"
+
 #include <floe/numeric/error.hpp>
 #include <floe/plate/section_forces.hpp>
-
-#include <plate/adjacency.hpp>
-#include <plate/nodal_average.hpp>
-#include <plate/recovery.hpp>
 
 #include <vector>
 
