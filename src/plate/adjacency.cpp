@@ -1,4 +1,4 @@
-#include <plate/assembly.hpp>
+#include "plate/adjacency.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,6 @@
+#include "plate/element.hpp"
+
 #include <Eigen/LU>
-#include <plate/element.hpp>
 
 #include <cmath>
 

@@ -1,8 +1,9 @@
+#include "plate/frequency_error.hpp"
+#include "plate/piece_modes.hpp"
+
 #include <floe/numeric/blas_threads.hpp>
 #include <floe/numeric/error.hpp>
 #include <floe/plate/dry_modes.hpp>
-
-#include <plate/piece_modes.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -67,10 +68,11 @@ DryModes dry_modes(const mesh::Q8Mesh& mesh, const PlateProperties& properties,
   numeric::use_one_blas_thread();
   const Index elastic_count = options.count - rigid_count;
   const std::vector<Piece> pieces = split_pieces(mesh);
+  DryModeOptions elastic = options;
+  elastic.count = static_cast<int>(elastic_count);
   std::vector<PieceModes> modes;
-  for (const Piece& piece : pieces)
-    modes.push_back(piece_modes(piece, properties, elastic_count, options.tolerance));
-  const std::vector<ElasticMode> elastic = choose_elastic(modes, elastic_count);
+  for (const Piece& piece : pieces) modes.push_back(piece_modes(piece, properties, elastic));
+  const std::vector<ElasticMode> chosen = choose_elastic(modes, elastic_count);
 
   // Put them together
   DryModes result;
@@ -85,12 +87,14 @@ DryModes dry_modes(const mesh::Q8Mesh& mesh, const PlateProperties& properties,
     add(modes[p].report, result.report);
   }
   for (Index i = 0; i < elastic_count; ++i) {
-    const ElasticMode& mode = elastic[i];
+    const ElasticMode& mode = chosen[i];
     const Index column = rigid_count + i;
     result.omega[column] = std::sqrt(mode.eigenvalue);
     place(pieces[mode.piece], modes[mode.piece].elastic.col(mode.column), result.shape.col(column));
     result.shape.col(column) *= shape_sign(result.shape.col(column));
   }
+  result.estimated_frequency_error =
+      estimate_frequency_errors(mesh, properties, result.omega, result.shape).maxCoeff();
   return result;
 }
 

@@ -1,7 +1,8 @@
+#include "plate/elastic_modes.hpp"
+
 #include <floe/numeric/error.hpp>
 
 #include <Eigen/Eigenvalues>
-#include <plate/elastic_modes.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -40,11 +41,14 @@ Eigenpairs lowest(const Eigenpairs& pairs, Index count) {
 
 }  // namespace
 
-Eigenpairs elastic_modes(const ElasticProblem& problem, Index count, double tolerance) {
+Eigenpairs elastic_modes(const ElasticProblem& problem, const DryModeOptions& wanted) {
+  const Index count = wanted.count;
   const Index size = problem.mass.size(), rigid_count = problem.rigid_basis.cols();
   Eigenpairs found{VecXd(), MatXd(size, 0)};
   MatXd deflated = problem.rigid_basis;
-  LanczosOptions options{.count = std::min(count, kModesAtATime), .tolerance = tolerance};
+  LanczosOptions options{.count = std::min(count, kModesAtATime),
+                         .tolerance = wanted.tolerance,
+                         .max_restarts = wanted.max_restarts};
   while (true) {
     // Seek modes orthogonal to all found so far
     Eigenpairs more =
@@ -79,15 +83,17 @@ Eigenpairs elastic_modes(const ElasticProblem& problem, Index count, double tole
   }
 }
 
-Eigenpairs dense_elastic_modes(const PlateMatrices& plate, double shift, const MatXd& rigid_basis) {
+Eigenpairs dense_elastic_modes(const PlateMatrices& plate, double shift, const MatXd& rigid_basis,
+                               Index count) {
   // NOTE: solved as M c = θ (K + sM) c, whose largest θ are the lowest modes. The other way round
   // the error is relative to the highest eigenvalue, for thin plates 1e12 times the lowest.
   const MatXd mass(plate.mass);
   const MatXd shifted = MatXd(plate.stiffness) + shift * mass;
   const Eigen::GeneralizedSelfAdjointEigenSolver<MatXd> solver(mass, shifted);
-  const Index size = mass.cols(), count = size - rigid_basis.cols();
+  const Index elastic = mass.cols() - rigid_basis.cols();
+  FLOE_EXPECT(count <= elastic);
   Eigenpairs pairs;
-  pairs.vector = solver.eigenvectors().leftCols(count).rowwise().reverse();
+  pairs.vector = solver.eigenvectors().middleCols(elastic - count, count).rowwise().reverse();
   rayleigh_ritz(plate.stiffness, NodeMass(plate.mass), rigid_basis, pairs);
   return pairs;
 }

@@ -1,6 +1,8 @@
 #pragma once
 
-#include <plate/lanczos.hpp>
+#include "plate/lanczos.hpp"
+
+#include <floe/plate/dry_modes.hpp>
 
 namespace floe::plate {
 
@@ -13,12 +15,13 @@ struct ElasticProblem {
   const MatXd& rigid_basis;  ///< M-orthonormal
 };
 
-/// The lowest `count` elastic modes, multiple ones with all their copies. Throws ConvergenceError
-/// with how many converged.
-Eigenpairs elastic_modes(const ElasticProblem& problem, Index count, double tolerance);
+/// The lowest `options.count` elastic modes, multiple ones with all their copies. Throws
+/// ConvergenceError with how many converged.
+Eigenpairs elastic_modes(const ElasticProblem& problem, const DryModeOptions& options);
 
-/// All of them by a dense solution: for small plates, and the slow twin of the above.
-Eigenpairs dense_elastic_modes(const PlateMatrices& plate, double shift, const MatXd& rigid_basis);
+/// The same by a dense solution: for small plates, and the slow twin of the above.
+Eigenpairs dense_elastic_modes(const PlateMatrices& plate, double shift, const MatXd& rigid_basis,
+                               Index count);
 
 /// Residuals of the pairs, ‖c - (λ + s)(K + sM)⁻¹M c‖ in the norm of M, for cᵀMc = 1: bounds of the
 /// relative error of λ + s.

@@ -1,7 +1,8 @@
+#include "plate/element.hpp"
+
 #include <floe/numeric/gauss_legendre.hpp>
 
 #include <Eigen/LU>
-#include <plate/element.hpp>
 
 namespace floe::plate {
 

@@ -1,8 +1,10 @@
+#include "plate/lanczos.hpp"
+
+#include "plate/sparse_products.hpp"
+
 #include <floe/numeric/error.hpp>
 
 #include <Spectra/SymGEigsShiftSolver.h>
-#include <plate/lanczos.hpp>
-#include <plate/sparse_products.hpp>
 
 #include <algorithm>
 #include <random>
@@ -10,8 +12,6 @@
 
 namespace floe::plate {
 namespace {
-
-constexpr Index kRestarts = 300;
 
 // x → M x, as Spectra asks for it
 class MassProduct final {
@@ -77,7 +77,7 @@ Eigenpairs lowest_eigenpairs(const NodeMass& node_mass, const ShiftedFactor& fac
       solver(inverse, mass, options.count, space, -shift);
   try {
     solver.init(start_vector(inverse, node_mass, options.seed).data());
-    solver.compute(Spectra::SortRule::LargestMagn, kRestarts, options.tolerance,
+    solver.compute(Spectra::SortRule::LargestMagn, options.max_restarts, options.tolerance,
                    Spectra::SortRule::SmallestAlge);
   } catch (const Error&) {
     throw;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <plate/shifted_factor.hpp>
-#include <plate/sparse_products.hpp>
+#include "plate/shifted_factor.hpp"
+#include "plate/sparse_products.hpp"
 
 namespace floe::plate {
 
@@ -16,6 +16,7 @@ struct LanczosOptions {
   Index count = 1;           ///< eigenpairs wanted: the lowest ones
   double tolerance = 1e-10;  ///< residual of 1/(λ + s), relative
   unsigned seed = 1;         ///< of the start vector
+  int max_restarts = 300;
 };
 
 /// Implicitly restarted Lanczos (Spectra) for (K + sM)⁻¹ M, s = `shift`, in the complement of

@@ -1,8 +1,9 @@
+#include "plate/adjacency.hpp"
+#include "plate/assembly.hpp"
+#include "plate/element.hpp"
+
 #include <floe/numeric/error.hpp>
 #include <floe/plate/mindlin.hpp>
-
-#include <plate/assembly.hpp>
-#include <plate/element.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,10 +1,12 @@
+#include "plate/piece_modes.hpp"
+
+#include "plate/assembly.hpp"
+#include "plate/elastic_modes.hpp"
+
 #include <floe/numeric/error.hpp>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <plate/assembly.hpp>
-#include <plate/elastic_modes.hpp>
-#include <plate/piece_modes.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -74,8 +76,8 @@ bool is_small(Index unknowns, Index elastic_count) {
 
 }  // namespace
 
-PieceModes piece_modes(const Piece& piece, const PlateProperties& properties, Index elastic_count,
-                       double tolerance) {
+PieceModes piece_modes(const Piece& piece, const PlateProperties& properties,
+                       const DryModeOptions& options) {
   PieceModes modes;
   Stopwatch watch;
   const PlateMatrices plate = assemble(piece.nodes, piece.elements, properties);
@@ -87,7 +89,7 @@ PieceModes piece_modes(const Piece& piece, const PlateProperties& properties, In
   modes.rigid = rigid_modes(piece.nodes, area.centroid, mass);
   modes.modal_mass = inner_products(modes.rigid, mass * modes.rigid);
   const MatXd rigid_basis = orthonormal_basis(modes.rigid, modes.modal_mass);
-  elastic_count = std::min(elastic_count, mass.size() - rigid_basis.cols());
+  const Index elastic_count = std::min<Index>(options.count, mass.size() - rigid_basis.cols());
   if (elastic_count == 0) {
     modes.elastic.resize(mass.size(), 0);
     return modes;
@@ -97,14 +99,16 @@ PieceModes piece_modes(const Piece& piece, const PlateProperties& properties, In
   // Find the elastic ones
   Eigenpairs pairs;
   if (is_small(mass.size(), elastic_count)) {
-    pairs = dense_elastic_modes(plate, shift, rigid_basis);
+    pairs = dense_elastic_modes(plate, shift, rigid_basis, elastic_count);
     modes.report.iteration_seconds = watch.lap();
   } else {
     const ShiftedFactor factor(plate, shift);
     modes.report.factor_entries = factor.entry_count();
     modes.report.factor_seconds = watch.lap();
     const ElasticProblem problem{plate, mass, factor, shift, rigid_basis};
-    pairs = elastic_modes(problem, elastic_count, tolerance);
+    pairs = elastic_modes(problem, {.count = static_cast<int>(elastic_count),
+                                    .tolerance = options.tolerance,
+                                    .max_restarts = options.max_restarts});
 
     // Verify each
     const VecXd residual = inverse_residuals(problem, pairs);
@@ -112,14 +116,14 @@ PieceModes piece_modes(const Piece& piece, const PlateProperties& properties, In
     modes.report.largest_residual = residual.maxCoeff();
     for (Index i = 0; i < residual.size(); ++i)
       FLOE_VALIDATE_AS(ConvergenceError,
-                       residual[i] <= expected_residual(problem, pairs.value[i], tolerance),
+                       residual[i] <= expected_residual(problem, pairs.value[i], options.tolerance),
                        "dry modes converged = " << i << " of " << elastic_count
                                                 << " elastic modes (the next has residual "
                                                 << residual[i] << ")");
     modes.report.iteration_seconds = watch.lap();
   }
-  modes.eigenvalue = pairs.value.head(elastic_count);
-  modes.elastic = pairs.vector.leftCols(elastic_count);
+  modes.eigenvalue = std::move(pairs.value);
+  modes.elastic = std::move(pairs.vector);
   return modes;
 }
 

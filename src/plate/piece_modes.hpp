@@ -1,9 +1,9 @@
 #pragma once
 
+#include "plate/sparse_products.hpp"
+
 #include <floe/plate/dry_modes.hpp>
 #include <floe/plate/mindlin.hpp>
-
-#include <plate/sparse_products.hpp>
 
 #include <vector>
 
@@ -36,9 +36,9 @@ struct PieceModes {
   DryModeReport report;
 };
 
-/// The rigid and the lowest elastic modes; all elastic ones where the piece has no more than
-/// `elastic_count`. Throws as dry_modes.
-PieceModes piece_modes(const Piece& piece, const PlateProperties& properties, Index elastic_count,
-                       double tolerance);
+/// The rigid and the lowest `options.count` elastic modes; all elastic ones where the piece has no
+/// more. Throws as dry_modes.
+PieceModes piece_modes(const Piece& piece, const PlateProperties& properties,
+                       const DryModeOptions& options);
 
 }  // namespace floe::plate

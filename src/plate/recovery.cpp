@@ -1,4 +1,4 @@
-#include <plate/recovery.hpp>
+#include "plate/recovery.hpp"
 
 #include <cmath>
 

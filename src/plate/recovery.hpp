@@ -1,8 +1,8 @@
 #pragma once
 
-#include <floe/plate/section_forces.hpp>
+#include "plate/element.hpp"
 
-#include <plate/element.hpp>
+#include <floe/plate/section_forces.hpp>
 
 /// Section forces and slopes inside an element, from its unknowns.
 namespace floe::plate {

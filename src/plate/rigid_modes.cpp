@@ -1,7 +1,7 @@
-#include <floe/numeric/gauss_legendre.hpp>
+#include "plate/element.hpp"
+#include "plate/piece_modes.hpp"
 
-#include <plate/element.hpp>
-#include <plate/piece_modes.hpp>
+#include <floe/numeric/gauss_legendre.hpp>
 
 #include <cmath>
 

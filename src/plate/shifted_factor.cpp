@@ -1,7 +1,8 @@
+#include "plate/shifted_factor.hpp"
+
 #include <floe/numeric/error.hpp>
 
 #include <cholmod.h>
-#include <plate/shifted_factor.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -19,7 +19,8 @@ class ShiftedFactor final {
   Index size() const;
   Index entry_count() const;  ///< entries of the factor, the zeros inside supernodes included
 
-  /// x = (K + sM)⁻¹ rhs, any number of columns.
+  /// x = (K + sM)⁻¹ rhs, any number of columns. Not for several threads at a time: they would share
+  /// the work space.
   void solve(const Eigen::Ref<const MatXd>& rhs, Eigen::Ref<MatXd> x) const;
 
  private:

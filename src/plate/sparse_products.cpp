@@ -1,4 +1,4 @@
-#include <plate/sparse_products.hpp>
+#include "plate/sparse_products.hpp"
 
 #include <algorithm>
 #include <vector>

@@ -1,9 +1,10 @@
+#include "plate/shifted_factor.hpp"
+
 #include <floe/numeric/error.hpp>
 #include <floe/plate/mindlin.hpp>
 #include <floe/plate/static_correction.hpp>
 
 #include <Eigen/Cholesky>
-#include <plate/shifted_factor.hpp>
 
 namespace floe::plate {
 namespace {

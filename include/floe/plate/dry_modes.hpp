@@ -26,9 +26,12 @@ struct DryModes {
   MatXd shape;       ///< 3N × q; rows w [m], θx, θy [rad] of each node
   MatXd modal_mass;  ///< CᵀMC, q × q: the identity, but roll and pitch of a piece couple where ∫xy
                      ///< ≠ 0
-  int rigid_count = 0;                     ///< 3 · number of pieces
-  double estimated_frequency_error = 0.0;  ///< largest relative error of ω_i, as estimated from the
-                                           ///< jump of the section moments between elements
+  int rigid_count = 0;  ///< 3 · number of pieces
+  /// Largest relative error of ω_i, estimated (P.10) from the jumps of the section forces between
+  /// inner elements and from (kh)⁴/480, k the wavenumber of bending waves and h the longest side.
+  /// Over rectangles, rings and L-shapes, distorted too, with 30 modes: 0.5 to 4.5 times the true
+  /// one where that is above 1e-3; 0.2 (re-entrant corner, fine mesh) to 13 times down to 3e-5.
+  double estimated_frequency_error = 0.0;
   DryModeReport report;
   Index count() const { return omega.size(); }
 };
@@ -36,11 +39,14 @@ struct DryModes {
 struct DryModeOptions {
   int count = 30;            ///< q, rigid modes included
   double tolerance = 1e-10;  ///< relative eigenvalue residual asked of the Lanczos iteration
+  int max_restarts = 300;    ///< of the Lanczos iteration, for each 100 modes
 };
 
 /// Computes them by shift-invert Lanczos (Spectra) on a sparse Cholesky factorisation (CHOLMOD),
 /// piece by piece; the rigid modes are made exactly. Throws InputError when count < 3 a piece or
-/// more than half the unknowns; ConvergenceError (with how many converged) when modes are missing.
+/// more than half the unknowns; ConvergenceError (with how many converged) when modes are missing;
+/// BudgetError when memory does not suffice for the factor.
+/// NOTE: sets a threaded OpenBLAS to one thread, and leaves it so.
 DryModes dry_modes(const mesh::Q8Mesh& mesh, const PlateProperties& properties,
                    const DryModeOptions& options = {});
 
