@@ -69,6 +69,7 @@ void DirectoryStore::Impl::begin(const Case& given, const mesh::Q8Mesh& given_me
 
 void DirectoryStore::Impl::modes(const plate::DryModes& dry) {
   account.dry_omega.assign(dry.omega.data(), dry.omega.data() + dry.omega.size());
+  account.dry_omega_error = dry.estimated_frequency_error;
   write_dry_modes(directory.path(), remarks_, dry);
 }
 

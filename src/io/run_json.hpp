@@ -21,6 +21,7 @@ struct RunAccount {
   int threads = 1;
   std::vector<std::string> warnings;
   std::vector<double> dry_omega;   ///< [rad/s]
+  double dry_omega_error = 0.0;    ///< largest relative error, estimated
   std::vector<double> wavenumber;  ///< one a finished frequency [rad/m]
   std::vector<FrequencyReport> frequencies;
   std::vector<StageTime> stages;

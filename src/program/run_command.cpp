@@ -53,7 +53,9 @@ class ToldStore final : public Store {
     store_.modes(modes);
     const std::string elastic =
         modes.count() > modes.rigid_count
-            ? fmt::format(", first elastic {:.4g} rad/s", modes.omega[modes.rigid_count])
+            ? fmt::format(", first elastic {:.4g} rad/s, last {:.4g}, good to {:.1g} or better",
+                          modes.omega[modes.rigid_count], modes.omega.maxCoeff(),
+                          modes.estimated_frequency_error)
             : "";
     account_.fact("modes",
                   fmt::format("{}, {} rigid{}", modes.count(), modes.rigid_count, elastic));

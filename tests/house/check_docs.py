@@ -13,8 +13,6 @@ import house
 # Files that documents may link to before they exist. Take an entry out when its file has come.
 PENDING = {
     "docs/images/table1_centreline.png",
-    "docs/howto/case_file.md",
-    "docs/howto/results.md",
 }
 MODULE_OF_CHAPTER = {"fast_sums": "fmm"}  # where the names differ
 CITING = ["include", "src", "fmm", "tests", "benchmarks", "docs", "README.md", "CONTRIBUTING.md"]
@@ -138,7 +136,7 @@ BAD = [
     ({"README.md": "[plan](docs/plan.md)\n"}, "README.md:1: link to docs/plan.md"),
     ({"README.md": "[up](../../etc/)\n"}, "link to ../../etc/"),
     ({"README.md": "[part](docs/theory/green.md#nothing)\n"}, "no such heading"),
-    ({"docs/howto/results.md": "\n"}, "take it out of PENDING"),
+    *[({name: "\n"}, "take it out of PENDING") for name in sorted(PENDING)[:1]],
 ]
 
 if __name__ == "__main__":

@@ -2,7 +2,6 @@
 #include <floe/mesh/rectangle.hpp>
 
 #include <gtest/gtest.h>
-
 #include <rigid_plate.hpp>
 
 #include <algorithm>
