@@ -207,6 +207,7 @@ TEST(CaseFile, NamesPlaceValueAndRemedyOfEveryFault) {
        "case.toml:9:50: invalid mesh.rectangle.nx = 0 (must be a whole number from 1 to "
        "100000000)"},
       {"nx = 4", "nx = 4.5", "case.toml:9:50: invalid mesh.rectangle.nx = 4.5 (must be a whole"},
+      {"nx = 4", "nx = 4.0", "case.toml:9:50: invalid mesh.rectangle.nx = 4.0 (must be a whole"},
       {"ny = 2", "ny = 2, grading = 0.5",
        "case.toml:9:71: invalid mesh.rectangle.grading = 0.5 (must be 1 to 100)"},
       {"[0.4, 0.5]", "[0.4, 0]",
@@ -221,6 +222,8 @@ TEST(CaseFile, NamesPlaceValueAndRemedyOfEveryFault) {
        "1000 rad/s)"},
       {"[0.4, 0.5]", "{ from = 1, to = 0.5, count = 3 }",
        "case.toml:11:26: invalid waves.omega.to = 0.5 rad/s (must be greater than from)"},
+      {"[0.4, 0.5]", "{ from = 1, to = 2 }",
+       "case.toml:11:9: missing waves.omega.count (must be a whole number from 2 to 100000)"},
       {"[0.4, 0.5]", "{ from = 1, to = 2, count = 1 }",
        "case.toml:11:37: invalid waves.omega.count = 1 (must be a whole number from 2 to 100000)"},
       {"[0, 30]", "[400]",
