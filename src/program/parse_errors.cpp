@@ -43,20 +43,22 @@ std::string hint_for(const std::string& word, const std::vector<std::string>& kn
                          : fmt::format("did you mean {}?", nearest);
 }
 
-// The first flag among the words that nobody took, or else the first word
+// The first flag among the words that nobody took, or else the first word; what follows a lone --
+// is no flag
 std::string explain_extra_words(const std::vector<std::string>& words, const CLI::App& command,
                                 const std::string& help) {
-  const auto flag = std::find_if(words.begin(), words.end(),
+  const auto dashes = std::find(words.begin(), words.end(), "--");
+  const auto flag = std::find_if(words.begin(), dashes,
                                  [](const std::string& word) { return word.starts_with("-"); });
-  if (flag != words.end()) {
+  if (flag != dashes) {
     const std::string name = flag->substr(0, flag->find('='));
     return fmt::format("unknown flag {} ({})", name, hint_for(name, names_of_flags(command), help));
   }
+  const std::string& word = dashes == words.begin() && words.size() > 1 ? words[1] : words.front();
   const std::vector<std::string> commands = names_of_commands(command);
   if (!commands.empty())
-    return fmt::format("unknown word {} ({})", words.front(),
-                       hint_for(words.front(), commands, help));
-  return fmt::format("unexpected word {} ({} tells what is expected)", words.front(), help);
+    return fmt::format("unknown word {} ({})", word, hint_for(word, commands, help));
+  return fmt::format("unexpected word {} ({} tells what is expected)", word, help);
 }
 
 // "Could not convert: --length = x"

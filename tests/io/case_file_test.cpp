@@ -228,6 +228,8 @@ TEST(CaseFile, NamesPlaceValueAndRemedyOfEveryFault) {
        "case.toml:11:37: invalid waves.omega.count = 1 (must be a whole number from 2 to 100000)"},
       {"[0, 30]", "[400]",
        "case.toml:12:16: invalid waves.heading_deg[0] = 400 ° (must be -360 to 360)"},
+      {"[water]", "title = \"a\\u001b[2J\"\n[water]",
+       "case.toml:1:9: invalid title = \"a?[2J\" (must be one line without control characters)"},
       // Types and units
       {"58.5", "\"58,5\"", "case.toml:2:9: invalid water.depth = \"58,5\" (must be a number in m)"},
       {"58.5", "[58.5]", "case.toml:2:9: invalid water.depth = a list (must be a number in m)"},

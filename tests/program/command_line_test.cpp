@@ -52,6 +52,8 @@ TEST(Program, RefusesWrongCommandLinesWithTwo) {
       {"run case.toml -threads 3", "unknown flag -threads (did you mean --threads?)"},
       {"check case.toml -o x", "unknown flag -o (known are "},
       {"run case.toml b.toml", "unexpected word b.toml (floe run --help tells"},
+      {"run -x.toml", "unknown flag -x.toml (known are "},
+      {"run -- case.toml --fresh", "unexpected word --fresh (floe run --help tells"},
       {"run case.toml -o ''", "invalid -o =  (must be the name of a folder)"},
       {"run case.toml --memory", "missing value of --memory (floe run --help tells more)"},
       {"run case.toml --threads 1 --threads 2", "--threads given more than once"},
