@@ -27,6 +27,14 @@ void validate(const PlateProperties& properties) {
   FLOE_VALIDATE(
       is_positive(properties.shear_correction),
       "invalid plate shear_correction = " << properties.shear_correction << " (must be positive)");
+
+  // Each number may pass and their product may still be none
+  FLOE_VALIDATE(
+      std::isnormal(properties.bending_rigidity()) && std::isnormal(properties.surface_mass()),
+      "invalid plate bending rigidity = "
+          << properties.bending_rigidity() << " N m and mass = " << properties.surface_mass()
+          << " kg/m^2 (must be positive and finite: are thickness, stiffness and density "
+             "in SI units?)");
 }
 
 // A matrix whose column 3j + c has, for every neighbour i of node j, the rows 3i … 3i + 2

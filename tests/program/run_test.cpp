@@ -135,12 +135,12 @@ TEST(Run, SurvivesClosedAndBrokenOutput) {
   EXPECT_EQ(folder.read("a/rao_points.csv"), folder.read("c/rao_points.csv"));
 }
 
-TEST(Run, TellsModesThatAreNoNumbersWithEight) {
+TEST(Run, RefusesAPlateWithoutStiffnessWithThree) {
   const TestFolder folder;
   folder.write("case.toml", with("thickness = 2.0", "thickness = 1e-300"));
   const ProgramResult result = run_floe(folder, "run case.toml");
-  EXPECT_EQ(result.code, 8);
-  EXPECT_THAT(result.error, HasSubstr("floe: error: invalid dry modes: not finite"));
+  EXPECT_EQ(result.code, 3);
+  EXPECT_THAT(result.error, HasSubstr("floe: error: invalid plate bending rigidity = 0 N m"));
   EXPECT_THAT(names_in(folder.path()), ElementsAre("case.toml"));
 }
 
