@@ -129,8 +129,8 @@ Index fast_fft_length(Index length) {
 PaddedGrid::Plans::Plans(Index padded_nx, Index padded_ny)
     : forward_x(padded_nx, 1, FFTW_FORWARD, FftPlan::Place::out_of),
       backward_x(padded_nx, 1, FFTW_BACKWARD, FftPlan::Place::out_of),
-      forward_y(padded_ny, kBlock, FFTW_FORWARD, FftPlan::Place::in),
-      backward_y(padded_ny, kBlock, FFTW_BACKWARD, FftPlan::Place::in) {
+      forward_y(padded_ny, kBlock, FFTW_FORWARD, FftPlan::Place::out_of),
+      backward_y(padded_ny, kBlock, FFTW_BACKWARD, FftPlan::Place::out_of) {
   for (Index n = 0; n <= padded_ny / 2; ++n) phase_y.push_back(half_step_phase(n, padded_ny));
 }
 
@@ -180,10 +180,11 @@ void PaddedGrid::transform_columns(std::span<const InputLattice> inputs,
   const Index size = padded_ny_ * kBlock;
 #pragma omp parallel
   {
-    const FftBuffer buffer(size * static_cast<Index>(inputs.size() + outputs.size()));
+    const FftBuffer buffer(size * static_cast<Index>(inputs.size() + outputs.size() + 1));
+    Complex* const plane = buffer.data();
     std::vector<Complex*> in, out;
     for (std::size_t k = 0; k < inputs.size() + outputs.size(); ++k)
-      (k < inputs.size() ? in : out).push_back(buffer.data() + size * static_cast<Index>(k));
+      (k < inputs.size() ? in : out).push_back(plane + size * static_cast<Index>(k + 1));
 
 #pragma omp for schedule(static)
     for (Index task = 0; task < 2 * block_count(); ++task) {
@@ -192,10 +193,10 @@ void PaddedGrid::transform_columns(std::span<const InputLattice> inputs,
 
       // Transform the inputs' columns
       for (std::size_t k = 0; k < inputs.size(); ++k) {
-        gather(rows[k], row_stride(), inputs[k].ny, block, padded_nx_, padded_ny_, in[k]);
+        gather(rows[k], row_stride(), inputs[k].ny, block, padded_nx_, padded_ny_, plane);
         if (inputs[k].half_x)
-          multiply_columns(in[k], inputs[k].ny, ColumnPhases(block, padded_nx_, -1));
-        plans_->forward_y.execute(in[k], in[k]);
+          multiply_columns(plane, inputs[k].ny, ColumnPhases(block, padded_nx_, -1));
+        plans_->forward_y.execute(plane, in[k]);
         if (inputs[k].half_y) multiply_rows(in[k], plans_->phase_y, padded_ny_, -1);
       }
 
@@ -204,10 +205,10 @@ void PaddedGrid::transform_columns(std::span<const InputLattice> inputs,
       // Transform the outputs' columns back
       for (std::size_t k = 0; k < outputs.size(); ++k) {
         if (outputs[k].half_y) multiply_rows(out[k], plans_->phase_y, padded_ny_, 1);
-        plans_->backward_y.execute(out[k], out[k]);
+        plans_->backward_y.execute(out[k], plane);
         if (outputs[k].half_x)
-          multiply_columns(out[k], outputs[k].ny, ColumnPhases(block, padded_nx_, 1));
-        scatter(out[k], row_stride(), outputs[k].ny, block, padded_nx_, rows[k]);
+          multiply_columns(plane, outputs[k].ny, ColumnPhases(block, padded_nx_, 1));
+        scatter(plane, row_stride(), outputs[k].ny, block, padded_nx_, rows[k]);
       }
     }
   }
