@@ -1,4 +1,4 @@
-#include "fft_plan.hpp"
+#include <floe/fmm/fft_plan.hpp>
 
 #include <mutex>
 #include <new>

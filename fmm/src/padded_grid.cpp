@@ -1,4 +1,4 @@
-#include "fft_plan.hpp"
+#include <floe/fmm/fft_plan.hpp>
 #include "padded_grid_plans.hpp"
 
 #include <floe/fmm/even_spectrum.hpp>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fft_plan.hpp"
+#include <floe/fmm/fft_plan.hpp>
 
 #include <floe/fmm/padded_grid.hpp>
 
