@@ -1,5 +1,5 @@
 // Time, memory and error of the dry modes of the paper's plate (Table 1), 30 modes.
-//   benchmark_dry_modes [NX…]    elements along the plate, multiples of 5, rising; default 100 to
+//   bench_dry_modes [NX…]    elements along the plate, multiples of 5, rising; default 100 to
 //   705
 // One line a mesh. Peak memory is that of the process so far.
 #include "csv.hpp"
@@ -71,7 +71,7 @@ int main(int argc, char** argv) {
   try {
     for (const int nx : sizes) run(nx);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "benchmark_dry_modes: error: %s\n", error.what());
+    std::fprintf(stderr, "bench_dry_modes: error: %s\n", error.what());
     return 1;
   }
 }
