@@ -90,15 +90,16 @@ void measure(const Points2& points, double tolerance, double k, double f1,
 
   const fmm::DirectSum truth(points, points, table);
   const fmm::PfftDesign& d = plan->design();
-  std::printf("N %td threads %d tolerance %.0e w %d r %d h/E %.2f grid %td x %td near %.0f "
-              "error random %.1e smooth %.1e | apply %.1f ms (far %.1f, estimate %.1f) = %.1f F1, "
-              "of 8: %.2f | plan %.2f s, setup %.1f applications | %.0f bytes a node\n",
-              points.cols(), omp_get_max_threads(), tolerance, d.stencil, d.near_radius,
-              d.spacing / kElement, d.nx, d.ny, d.near_pairs / double(points.cols()),
-              fmm::sampled_error(truth, charges.random, random),
-              fmm::sampled_error(truth, charges.smooth, smooth), 1e3 * one, 1e3 * far_time,
-              1e-6 * d.nanoseconds, f1 > 0.0 ? one / f1 : 0.0, eight / one, plan_time, setup / one,
-              (sum->memory() + plan->memory()) / double(points.cols()));
+  std::printf(
+      "N %td threads %d tolerance %.0e w %d r %d h/E %.2f grid %td x %td near %.0f "
+      "error random %.1e smooth %.1e | apply %.1f ms (far %.1f, estimate %.1f) = %.1f F1, "
+      "of 8: %.2f | plan %.2f s, setup %.1f applications | %.0f bytes a node\n",
+      points.cols(), omp_get_max_threads(), tolerance, d.stencil, d.near_radius,
+      d.spacing / kElement, d.nx, d.ny, d.near_pairs / double(points.cols()),
+      fmm::sampled_error(truth, charges.random, random),
+      fmm::sampled_error(truth, charges.smooth, smooth), 1e3 * one, 1e3 * far_time,
+      1e-6 * d.nanoseconds, f1 > 0.0 ? one / f1 : 0.0, eight / one, plan_time, setup / one,
+      (sum->memory() + plan->memory()) / double(points.cols()));
   std::fflush(stdout);
 }
 
@@ -120,7 +121,7 @@ int main(int argc, char** argv) {
     // Error of every stencil and radius, whatever the spacing (the table of the design)
     const double h = argc > 3 ? std::atof(argv[3]) : 0.7;
     for (int w = 3; w <= 10; ++w)
-      for (int r = 1; r <= 6; ++r) {
+      for (int r = 1; r <= 8; ++r) {
         const fmm::PfftDesign design{.stencil = w, .near_radius = r, .spacing = h * kElement};
         measure(points, 1e-7, 1e-6, 0.0, &design);
       }

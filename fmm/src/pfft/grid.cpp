@@ -1,7 +1,6 @@
 #include "pfft/grid.hpp"
 
 #include "pfft/near_part.hpp"
-#include "pfft/projection.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,16 +8,12 @@
 
 namespace floe::fmm::pfft {
 
-Index stencil_begin(double position, int stencil) {
-  // An even stencil lies around the interval of the point, an odd one around the nearest grid point
-  const double shifted = stencil % 2 == 0 ? position : position + 0.5;
-  return static_cast<Index>(std::floor(shifted)) - (stencil - 1) / 2;
-}
-
 NearShape::NearShape(int near_radius) : radius(near_radius) {
+  // Near are cells that come closer than the radius; a cell is a spacing wide
   for (int dy = 0; dy <= radius; ++dy) {
-    const double reach = radius + 0.5;
-    half_width.push_back(std::min(radius, static_cast<int>(std::sqrt(reach * reach - dy * dy))));
+    const double gap = std::max(0, dy - 1), reach = radius - 1e-6;
+    half_width.push_back(
+        std::min(radius, 1 + static_cast<int>(std::sqrt(reach * reach - gap * gap))));
   }
 }
 
@@ -31,8 +26,10 @@ CellPoints sort_into_cells(const Grid& grid, const Points2& points) {
   std::vector<Index> cell(static_cast<std::size_t>(count));
   for (Index i = 0; i < count; ++i) {
     const Point2 position = grid.locate(points.col(i));
-    const Index cx = std::clamp<Index>(stencil_begin(position.x(), grid.stencil), 0, grid.cells_x() - 1);
-    const Index cy = std::clamp<Index>(stencil_begin(position.y(), grid.stencil), 0, grid.cells_y() - 1);
+    const Index cx =
+        std::clamp<Index>(stencil_begin(position.x(), grid.stencil), 0, grid.cells_x() - 1);
+    const Index cy =
+        std::clamp<Index>(stencil_begin(position.y(), grid.stencil), 0, grid.cells_y() - 1);
     cell[i] = cx + grid.cells_x() * cy;
     ++cells.cell_begin[cell[i] + 1];
   }

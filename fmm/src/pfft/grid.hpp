@@ -1,10 +1,12 @@
 #pragma once
 
+#include "pfft/stencil.hpp"
+
 #include <floe/fmm/pfft_plan.hpp>
 #include <floe/numeric/types.hpp>
 
-#include <cstdint>
 #include <algorithm>
+#include <cstdint>
 #include <vector>
 
 namespace floe::fmm::pfft {
@@ -28,17 +30,14 @@ struct Grid {
   }
 };
 
-/// First grid point of the stencil of a point at `position` spacings, along one axis.
-Index stencil_begin(double position, int stencil);
-
 /// Points in the order of their cells, with the weights of their stencils.
 struct CellPoints {
-  std::vector<Index> original;           // by sorted number
-  std::vector<Index> sorted;             // by original number
+  std::vector<Index> original;  // by sorted number
+  std::vector<Index> sorted;    // by original number
   std::vector<std::int32_t> cell_x, cell_y;
-  std::vector<Index> cell_begin;         // by cell, cells + 1
-  std::vector<double> weight;            // 2·stencil a point: along x, along y
-  Points2 position;                      // [m], sorted
+  std::vector<Index> cell_begin;  // by cell, cells + 1
+  std::vector<double> weight;     // 2·stencil a point: along x, along y
+  Points2 position;               // [m], sorted
 
   Index count() const { return static_cast<Index>(original.size()); }
   const double* weights_x(Index k, int stencil) const { return weight.data() + 2 * stencil * k; }
@@ -47,7 +46,8 @@ struct CellPoints {
 
 CellPoints sort_into_cells(const Grid& grid, const Points2& points);
 
-/// Near cells of a cell: those at most half_width[|dy|] cells away along x in row dy.
+/// Near cells of a cell: those that come closer to it than `radius` spacings; at most
+/// half_width[|dy|] cells away along x in row dy.
 struct NearShape {
   explicit NearShape(int radius);
   int radius;

@@ -55,14 +55,14 @@ NearPart<Real>::NearPart(const Geometry& geometry, const Precorrection& grid_val
           distance.clear();
           far.clear();
           box.fill(t);
-          for_near_ranges(grid, geometry.near, sources.cell_begin, cell % grid.cells_x(), row,
-                          [&](Index begin, Index end) {
-                            for (Index s = begin; s < end; ++s) {
-                              far.push_back(box.value(s));
-                              distance.push_back(
-                                  (sources.position.col(s) - targets.position.col(t)).norm());
-                            }
-                          });
+          for_near_ranges(
+              grid, geometry.near, sources.cell_begin, cell % grid.cells_x(), row,
+              [&](Index begin, Index end) {
+                for (Index s = begin; s < end; ++s) {
+                  far.push_back(box.value(s));
+                  distance.push_back((sources.position.col(s) - targets.position.col(t)).norm());
+                }
+              });
 
           // The kernel minus these; coincident points have no kernel
           const std::vector<double> true_distance = distance;
@@ -82,8 +82,7 @@ NearPart<Real>::NearPart(const Geometry& geometry, const Precorrection& grid_val
 }
 
 template <class Real>
-void NearPart<Real>::multiply_add(const Geometry& geometry,
-                                  const Eigen::Ref<const MatXcd>& charges,
+void NearPart<Real>::multiply_add(const Geometry& geometry, const Eigen::Ref<const MatXcd>& charges,
                                   Eigen::Ref<MatXcd> potentials) const {
   const Grid& grid = geometry.grid;
   const CellPoints &sources = geometry.sources, &targets = geometry.targets;

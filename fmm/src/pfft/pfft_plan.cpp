@@ -1,8 +1,8 @@
-#include <floe/fmm/pfft_plan.hpp>
-#include <floe/numeric/error.hpp>
-
 #include "pfft/design.hpp"
 #include "pfft/near_part.hpp"
+
+#include <floe/fmm/pfft_plan.hpp>
+#include <floe/numeric/error.hpp>
 
 namespace floe::fmm {
 namespace {
@@ -15,13 +15,15 @@ pfft::Extent validated_extent(const Points2& sources, const Points2& targets,
                 "invalid point coordinate = nan or inf (must be finite)");
   FLOE_VALIDATE(options.tolerance >= 1e-7 && options.tolerance <= 1e-2,
                 "invalid pfft tolerance = " << options.tolerance << " (must be 1e-7 to 1e-2)");
-  FLOE_VALIDATE(options.max_wavenumber >= 0.0,
-                "invalid wavenumber = " << options.max_wavenumber << " rad/m (must not be negative)");
+  FLOE_VALIDATE(
+      options.max_wavenumber >= 0.0,
+      "invalid wavenumber = " << options.max_wavenumber << " rad/m (must not be negative)");
   return pfft::extent_of(sources, targets);
 }
 
 PfftDesign chosen(const Points2& sources, const Points2& targets, const PfftOptions& options) {
-  return pfft::choose_design(validated_extent(sources, targets, options), sources, targets, options);
+  return pfft::choose_design(validated_extent(sources, targets, options), sources, targets,
+                             options);
 }
 
 }  // namespace
@@ -34,7 +36,8 @@ PfftPlan::PfftPlan(const Points2& sources, const Points2& targets, const PfftOpt
     : options_(options) {
   const pfft::Extent extent = validated_extent(sources, targets, options);
   PfftDesign design = prescribed;
-  if (design.memory == 0.0) pfft::estimate_cost(extent, sources, targets, options.tolerance, design);
+  if (design.memory == 0.0)
+    pfft::estimate_cost(extent, sources, targets, options.tolerance, design);
   FLOE_VALIDATE_AS(BudgetError, design.memory <= options.memory_budget,
                    "pfft memory = " << design.memory << " byte (budget " << options.memory_budget
                                     << " byte; grid of " << design.nx << " x " << design.ny

@@ -1,11 +1,11 @@
-#include <floe/fmm/pfft_sum.hpp>
-#include <floe/numeric/error.hpp>
-
 #include "pfft/design.hpp"
 #include "pfft/near_part.hpp"
+#include "pfft/near_table.hpp"
 #include "pfft/projection.hpp"
 
 #include <floe/fmm/grid_convolution.hpp>
+#include <floe/fmm/pfft_sum.hpp>
+#include <floe/numeric/error.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -58,7 +58,9 @@ PfftSum::PfftSum(std::shared_ptr<const PfftPlan> plan, const RadialKernel& kerne
                 "invalid wavenumber = " << wavenumber << " rad/m (the plan allows "
                                         << plan_->options().max_wavenumber << ")");
   const pfft::Geometry& geometry = plan_->geometry();
-  auto state = std::make_unique<State>(geometry, kernel_table(geometry.grid, kernel));
+  std::vector<Complex> table = kernel_table(geometry.grid, kernel);
+  pfft::fit_near_table(geometry.grid, geometry.near, kernel, table);
+  auto state = std::make_unique<State>(geometry, table);
   if (parts == Parts::all) {
     if (pfft::near_in_float(plan_->options().tolerance))
       state->near.emplace<pfft::NearPart<float>>(geometry, state->grid_values, kernel);
@@ -121,8 +123,10 @@ void PfftSum::far_values(Index target, std::span<const Index> sources,
 
 double PfftSum::memory() const {
   double bytes = state_->convolution.memory();
-  if (const auto* single = std::get_if<pfft::NearPart<float>>(&state_->near)) bytes += single->memory();
-  if (const auto* full = std::get_if<pfft::NearPart<double>>(&state_->near)) bytes += full->memory();
+  if (const auto* single = std::get_if<pfft::NearPart<float>>(&state_->near))
+    bytes += single->memory();
+  if (const auto* full = std::get_if<pfft::NearPart<double>>(&state_->near))
+    bytes += full->memory();
   return bytes;
 }
 

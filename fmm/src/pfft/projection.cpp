@@ -57,41 +57,39 @@ inline void interpolate_points(const CellPoints& points, Range range, Index nx,
   }
 }
 
-#define FLOE_FOR_STENCIL(function, ...)            \
-  switch (stencil) {                               \
-    case 2: return function<2>(__VA_ARGS__);       \
-    case 3: return function<3>(__VA_ARGS__);       \
-    case 4: return function<4>(__VA_ARGS__);       \
-    case 5: return function<5>(__VA_ARGS__);       \
-    case 6: return function<6>(__VA_ARGS__);       \
-    case 7: return function<7>(__VA_ARGS__);       \
-    case 8: return function<8>(__VA_ARGS__);       \
-    case 9: return function<9>(__VA_ARGS__);       \
-    default: return function<10>(__VA_ARGS__);     \
+#define FLOE_FOR_STENCIL(function, ...) \
+  switch (stencil) {                    \
+    case 2:                             \
+      return function<2>(__VA_ARGS__);  \
+    case 3:                             \
+      return function<3>(__VA_ARGS__);  \
+    case 4:                             \
+      return function<4>(__VA_ARGS__);  \
+    case 5:                             \
+      return function<5>(__VA_ARGS__);  \
+    case 6:                             \
+      return function<6>(__VA_ARGS__);  \
+    case 7:                             \
+      return function<7>(__VA_ARGS__);  \
+    case 8:                             \
+      return function<8>(__VA_ARGS__);  \
+    case 9:                             \
+      return function<9>(__VA_ARGS__);  \
+    default:                            \
+      return function<10>(__VA_ARGS__); \
   }
 
 FLOE_SIMD_CLONES
 void project_range(int stencil, const CellPoints& points, Range range, Index nx,
-                   const double* charges, double* values) {
-  FLOE_FOR_STENCIL(project_points, points, range, nx, charges, values)
-}
+                   const double* charges, double* values){
+    FLOE_FOR_STENCIL(project_points, points, range, nx, charges, values)}
 
-FLOE_SIMD_CLONES
-void interpolate_range(int stencil, const CellPoints& points, Range range, Index nx,
-                       const double* values, double* potentials) {
+FLOE_SIMD_CLONES void interpolate_range(int stencil, const CellPoints& points, Range range,
+                                        Index nx, const double* values, double* potentials) {
   FLOE_FOR_STENCIL(interpolate_points, points, range, nx, values, potentials)
 }
 
 }  // namespace
-
-void stencil_weights(double position, int stencil, double* weight) {
-  for (int a = 0; a < stencil; ++a) {
-    double product = 1.0;
-    for (int b = 0; b < stencil; ++b)
-      if (b != a) product *= (position - b) / (a - b);
-    weight[a] = product;
-  }
-}
 
 void project(const Grid& grid, const CellPoints& points, const Complex* charges, Complex* values) {
   const auto* const in = reinterpret_cast<const double*>(charges);

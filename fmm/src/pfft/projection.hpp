@@ -4,10 +4,6 @@
 
 namespace floe::fmm::pfft {
 
-/// Weights of `stencil` equidistant grid points 0, 1, … for a point at `position` among them:
-/// Lagrange interpolation, exact for polynomials of degree stencil - 1.
-void stencil_weights(double position, int stencil, double* weight);
-
 /// grid (nx·ny) = Σ_k weights of point k · charges[original number of k]                 (F.4)
 void project(const Grid& grid, const CellPoints& points, const Complex* charges, Complex* values);
 

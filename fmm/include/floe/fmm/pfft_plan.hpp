@@ -20,13 +20,13 @@ struct PfftOptions {
 /// What the design chose: lengths of a stencil in grid points and of the near radius in spacings,
 /// and what they cost.
 struct PfftDesign {
-  int stencil = 0;             ///< points a direction, w
-  int near_radius = 0;         ///< spacings, between the cells of two points
-  double spacing = 0.0;        ///< of the grid [m]
-  Index nx = 0, ny = 0;        ///< grid points along the longer and the shorter side
-  double near_pairs = 0.0;     ///< (target, source) pairs that are corrected
-  double memory = 0.0;         ///< of the plan and a sum [byte]
-  double nanoseconds = 0.0;    ///< estimated for one application, one column, one thread
+  int stencil = 0;           ///< points a direction, w
+  int near_radius = 0;       ///< spacings, between the cells of two points
+  double spacing = 0.0;      ///< of the grid [m]
+  Index nx = 0, ny = 0;      ///< grid points along the longer and the shorter side
+  double near_pairs = 0.0;   ///< (target, source) pairs that are corrected
+  double memory = 0.0;       ///< of the plan and a sum [byte]
+  double nanoseconds = 0.0;  ///< estimated for one application, one column, one thread
 };
 
 namespace pfft {
