@@ -108,8 +108,8 @@ void estimate_cost(const Extent& extent, const Points2& sources, const Points2& 
     if (here == 0) continue;
     Index near = 0;
     for_near_ranges(grid, shape, source, cell % grid.cells_x(), cell / grid.cells_x(),
-                    [&](Index begin, Index end) { near += end - begin; });
-    design.near_pairs += static_cast<double>(here) * static_cast<double>(padded_row(near));
+                    [&](Index begin, Index end) { near += padded_range(end - begin); });
+    design.near_pairs += static_cast<double>(here) * static_cast<double>(near);
   }
   design.memory += entry * design.near_pairs;
   design.nanoseconds = kFftTime * padded + kNearTime * entry / 8.0 * design.near_pairs +

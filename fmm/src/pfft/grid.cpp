@@ -70,20 +70,21 @@ Geometry::Geometry(const Grid& grid_in, const PfftDesign& design_in, const Point
       sources(sort_into_cells(grid, source_points)),
       targets(sort_into_cells(grid, target_points)) {
   const Index cells = grid.cells_x() * grid.cells_y();
-  near_count.assign(static_cast<std::size_t>(cells), 0);
+  near_length.assign(static_cast<std::size_t>(cells), 0);
   near_begin.assign(static_cast<std::size_t>(cells + 1), 0);
   for (Index cell = 0; cell < cells; ++cell) {
     const Index here = targets.cell_begin[cell + 1] - targets.cell_begin[cell];
     if (here > 0)
-      for_near_ranges(grid, near, sources.cell_begin, cell % grid.cells_x(), cell / grid.cells_x(),
-                      [&](Index begin, Index end) { near_count[cell] += end - begin; });
-    near_begin[cell + 1] = near_begin[cell] + here * padded_row(near_count[cell]);
+      for_near_ranges(
+          grid, near, sources.cell_begin, cell % grid.cells_x(), cell / grid.cells_x(),
+          [&](Index begin, Index end) { near_length[cell] += padded_range(end - begin); });
+    near_begin[cell + 1] = near_begin[cell] + here * near_length[cell];
   }
 }
 
 double Geometry::memory() const {
   const auto points = static_cast<double>(sources.count() + targets.count());
-  return points * (16.0 * grid.stencil + 40.0) + 8.0 * static_cast<double>(4 * near_count.size());
+  return points * (16.0 * grid.stencil + 40.0) + 8.0 * static_cast<double>(4 * near_length.size());
 }
 
 }  // namespace floe::fmm::pfft

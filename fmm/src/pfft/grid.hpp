@@ -79,8 +79,8 @@ class Geometry {
   PfftDesign design;
   NearShape near;
   CellPoints sources, targets;
-  std::vector<Index> near_count;  // by target cell
-  std::vector<Index> near_begin;  // offset of a target cell's near values, padded rows
+  std::vector<Index> near_length;  // stored near values of a target, by target cell
+  std::vector<Index> near_begin;   // and where those of the cell begin
   double memory() const;
 };
 

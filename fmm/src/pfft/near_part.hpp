@@ -8,8 +8,8 @@ namespace floe::fmm::pfft {
 
 inline constexpr Index kLanes = 4;  // partial sums of a row, whatever the instruction set
 
-/// Length of a stored row of near values: the lanes are filled with zeros.
-inline Index padded_row(Index count) { return (count + kLanes - 1) / kLanes * kLanes; }
+/// Length of a stored range of near values: the lanes are filled with zeros.
+inline Index padded_range(Index count) { return (count + kLanes - 1) / kLanes * kLanes; }
 
 /// The near matrix of (F.6), G - far value, for the near pairs of a plan: rows of sorted targets;
 /// a row's columns are the near ranges of its cell, so that no index is stored. `Real` is the
@@ -26,7 +26,7 @@ class NearPart {
   double memory() const { return sizeof(Real) * static_cast<double>(value_.size()); }
 
  private:
-  std::vector<Real> value_;  // a row: real parts, then imaginary parts
+  std::vector<Real> value_;  // kLanes real parts, kLanes imaginary parts, and so on
 };
 
 }  // namespace floe::fmm::pfft

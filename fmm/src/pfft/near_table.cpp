@@ -9,7 +9,8 @@
 namespace floe::fmm::pfft {
 namespace {
 
-constexpr int kSamples = 40;  // pairs of positions a pair of cells
+constexpr int kSamples = 40;    // pairs of positions a pair of cells
+constexpr double kPull = 1e-8;  // relative to what far pairs see of a value
 
 // A sequence of points that fills the unit cube of four dimensions evenly
 double sample(int number, int dimension) {
@@ -36,7 +37,7 @@ OctantTable kernel_octant(double spacing, double free_radius, int reach,
   std::vector<double> distance;
   for (int i = 0; i <= reach; ++i)
     for (int j = 0; j <= i; ++j) {
-      distance.push_back(spacing * std::max(0.5, std::hypot(i, j)));
+      distance.push_back(spacing * std::max(0.5 * free_radius, std::hypot(i, j)));
       table.unknown.push_back(std::hypot(i, j) < free_radius ? table.unknowns++ : -1);
     }
   table.value.resize(distance.size());
@@ -73,8 +74,8 @@ void fit_near_table(const Grid& grid, const NearShape& near, const RadialKernel&
       if (dy > near.radius || dx > near.half_width[static_cast<std::size_t>(dy)])
         cells.emplace_back(dx, dy);
   const auto rows = static_cast<Index>(cells.size()) * kSamples;
-  MatXd matrix = MatXd::Zero(rows, octant_table.unknowns);
-  MatXcd right(rows, 1);
+  MatXd matrix = MatXd::Zero(rows + octant_table.unknowns, octant_table.unknowns);
+  MatXcd right(rows + octant_table.unknowns, 1);
   std::vector<double> along_x(static_cast<std::size_t>(2 * w - 1)), along_y(along_x), distance(1);
   std::vector<Complex> value(1);
   for (Index row = 0; row < rows; ++row) {
@@ -97,7 +98,17 @@ void fit_near_table(const Grid& grid, const NearShape& near, const RadialKernel&
           right(row, 0) -= factor * octant_table.value[k];
       }
   }
-  const Eigen::ColPivHouseholderQR<MatXd> factors(matrix);
+
+  // NOTE: values that far pairs hardly see could become anything, and near values would lose digits
+  // in cancellation; so they are pulled softly towards the kernel at half the near radius or beyond
+  const double pull = kPull * std::sqrt(static_cast<double>(rows));
+  for (std::size_t k = 0; k < octant_table.unknown.size(); ++k) {
+    const Index free = octant_table.unknown[k];
+    if (free < 0) continue;
+    matrix(rows + free, free) = pull;
+    right(rows + free, 0) = pull * octant_table.value[k];
+  }
+  const Eigen::HouseholderQR<MatXd> factors(matrix);
   const MatXd real = factors.solve(right.real()), imag = factors.solve(right.imag());
 
   for (Index j = 0; j < std::min<Index>(grid.ny, near.radius + 2); ++j)
