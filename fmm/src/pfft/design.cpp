@@ -39,6 +39,12 @@ constexpr MeasuredError kMeasured[] = {
     {10, {5.5e-3, 2.2e-4, 2.9e-5, 3.2e-6, 6.1e-7, 7.3e-8, 2.3e-8, 4.1e-9}},
 };
 
+// Wavenumber · spacing at which plane waves have this error, by the order of the stencil
+double largest_phase(int stencil, double error) {
+  const double phase = 0.5 * std::pow(error / stencil_wave_error(stencil, 0.5), 1.0 / stencil);
+  return std::min(phase, 1.2);
+}
+
 }  // namespace
 
 Extent extent_of(const Points2& sources, const Points2& targets) {
@@ -131,10 +137,7 @@ PfftDesign choose_design(const Extent& extent, const Points2& sources, const Poi
       const double left = std::sqrt(options.tolerance * options.tolerance - near * near);
       double largest = 2.0 / std::sqrt(density);
       if (options.max_wavenumber > 0.0)
-        largest = std::min(largest, std::pow(left / stencil_wave_error(measured.stencil, 0.1) /
-                                                 std::pow(0.1, measured.stencil),
-                                             1.0 / measured.stencil) /
-                                        options.max_wavenumber);
+        largest = std::min(largest, largest_phase(measured.stencil, left) / options.max_wavenumber);
       for (double spacing = largest; spacing > largest / 20.0; spacing *= 0.8) {
         PfftDesign design{.stencil = measured.stencil, .near_radius = radius, .spacing = spacing};
         estimate_cost(extent, sources, targets, options.tolerance, design);
