@@ -64,13 +64,16 @@ double repeated(const fmm::PfftSum& sum, const MatXcd& charges, MatXcd& potentia
 void measure(const Points2& points, double tolerance, double k, double f1,
              const fmm::PfftDesign* design) {
   const green::GreenFunction green(k, std::numeric_limits<double>::infinity());
-  const fmm::PfftOptions options{.tolerance = tolerance, .max_wavenumber = green.wavenumber()};
+  const Point2 size = points.rowwise().maxCoeff() - points.rowwise().minCoeff();
+  const green::GreenTable table(green, 1.2 * size.norm());
+  const fmm::PfftOptions options{.tolerance = tolerance,
+                                 .max_wavenumber = green.wavenumber(),
+                                 .typical_kernel = design ? nullptr : &table};
   std::shared_ptr<const fmm::PfftPlan> plan;
   const double plan_time = benchmark::seconds_of([&] {
     plan = design ? std::make_shared<const fmm::PfftPlan>(points, points, options, *design)
                   : std::make_shared<const fmm::PfftPlan>(points, points, options);
   });
-  const green::GreenTable table(green, plan->max_distance());
   std::unique_ptr<fmm::PfftSum> sum;
   const double setup =
       benchmark::seconds_of([&] { sum = std::make_unique<fmm::PfftSum>(plan, table); });

@@ -40,10 +40,12 @@ TEST(twin_PfftSum, KeepsItsToleranceForTheGreenFunction) {
       for (const double tolerance : {1e-2, 1e-4, 1e-6}) {
         const double nu = std::isinf(kh) ? k : k * std::tanh(kh);
         const GreenFunction green(nu, wave_depth(k, kh));
+        const GreenTable table(green, 2.0);
         const auto plan = std::make_shared<const fmm::PfftPlan>(
             points, points,
-            fmm::PfftOptions{.tolerance = tolerance, .max_wavenumber = green.wavenumber()});
-        const GreenTable table(green, plan->max_distance());
+            fmm::PfftOptions{.tolerance = tolerance,
+                             .max_wavenumber = green.wavenumber(),
+                             .typical_kernel = &table});
         const fmm::PfftSum sum(plan, table);
         const fmm::DirectSum truth(points, points, table);
         MatXcd potentials(count, 2);

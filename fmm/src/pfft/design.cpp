@@ -45,6 +45,33 @@ double largest_phase(int stencil, double error) {
   return std::min(phase, 1.2);
 }
 
+// How much larger sums of random charges are under the kernel than under 2/R: root of the ratio of
+// Σ|G|² to Σ(2/R)², at a few targets spread over all
+double strength(const RadialKernel& kernel, const Points2& sources, const Points2& targets) {
+  constexpr int kTargets = 8;
+  double kernel_sum = 0.0, reference_sum = 0.0;
+  std::vector<double> distance(static_cast<std::size_t>(sources.cols()));
+  std::vector<Complex> value(distance.size());
+  for (int s = 0; s < kTargets; ++s) {
+    const Index target = targets.cols() * (2 * s + 1) / (2 * kTargets);
+    for (Index j = 0; j < sources.cols(); ++j) {
+      const double r = (sources.col(j) - targets.col(target)).norm();
+      distance[j] = r > 0.0 ? r : 1e300;
+    }
+    // Coincident points count as far away: put them at the largest distance
+    double largest = 0.0;
+    for (const double r : distance) largest = r < 1e300 ? std::max(largest, r) : largest;
+    if (largest == 0.0) continue;
+    for (double& r : distance) r = std::min(r, largest);
+    kernel.evaluate(distance, value);
+    for (std::size_t j = 0; j < distance.size(); ++j) {
+      kernel_sum += std::norm(value[j]);
+      reference_sum += 4.0 / (distance[j] * distance[j]);
+    }
+  }
+  return reference_sum > 0.0 ? std::sqrt(kernel_sum / reference_sum) : 1.0;
+}
+
 }  // namespace
 
 Extent extent_of(const Points2& sources, const Points2& targets) {
@@ -129,9 +156,13 @@ PfftDesign choose_design(const Extent& extent, const Points2& sources, const Poi
   const Point2 size = extent.high - extent.low;
   const double area = std::max(size.x() * size.y(), 1e-12 * size.x() * size.x());
   const double density = static_cast<double>(sources.cols()) / std::max(area, 1e-300);
+  const double credit =
+      options.typical_kernel
+          ? std::max(1.0, 0.8 * strength(*options.typical_kernel, sources, targets))
+          : 1.0;
   for (const MeasuredError& measured : kMeasured) {
     for (int radius = 1; radius <= kRadii; ++radius) {
-      const double near = measured.at_radius[radius - 1];
+      const double near = measured.at_radius[radius - 1] / credit;
       if (near > options.tolerance) continue;
       // Coarsest spacing at which the waves are right, then finer ones by the cost
       const double left = std::sqrt(options.tolerance * options.tolerance - near * near);

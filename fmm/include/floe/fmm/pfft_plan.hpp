@@ -1,5 +1,6 @@
 #pragma once
 
+#include <floe/fmm/radial_kernel.hpp>
 #include <floe/numeric/types.hpp>
 
 #include <limits>
@@ -13,6 +14,10 @@ struct PfftOptions {
   double tolerance = 1e-4;
   /// Largest wavenumber of the kernels that will use the plan [rad/m].
   double max_wavenumber = 0.0;
+  /// A kernel of the sweep, that of the longest wave, reaching all distances; a view, needed while
+  /// the plan is made. Errors are those of the part 2/R; where a wave makes the sums larger than
+  /// 2/R alone, a cheaper design keeps the tolerance. Without it the plan expects no wave.
+  const RadialKernel* typical_kernel = nullptr;
   /// Memory that the plan and one sum may take [byte].
   double memory_budget = std::numeric_limits<double>::infinity();
 };
