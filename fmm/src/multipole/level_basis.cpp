@@ -12,8 +12,10 @@
 namespace floe::fmm::multipole {
 namespace {
 
-constexpr int kMostNodes = 28;          // Chebyshev nodes a side; above, the children are used
-constexpr double kSkeletonShare = 0.3;  // of the loss, for the choice of the skeleton
+constexpr int kMostNodes = 28;  // Chebyshev nodes a side; above, the children are used
+constexpr double kMeanFloor =
+    1e-3;  // under the mean square of the skeleton's charges, a share of it
+constexpr double kSkeletonShare = 0.05;  // of the loss, for the choice of the skeleton
 
 // Chebyshev nodes a side that interpolate G(|x - y|) in y: analytic up to one width outside the
 // box, ellipse ρ = 3 + √8, and waves of wavenumber k
@@ -102,7 +104,9 @@ Points2 children_skeletons(const LevelBasis& child) {
 // in the box: with the mean C Cᵀ of t tᵀ, the leading right singular vectors of A C   (F.5)
 void compress(LevelBasis& basis, const MatXd& weights, const MatXd& fields, double tolerance) {
   MatXd mean = weights * weights.transpose() / static_cast<double>(weights.cols());
-  mean.diagonal().array() += 1e-15 * mean.trace();
+  // NOTE: moments that come up from the children have lost what their far field does not see, so
+  // they stray from the mean a little; a floor under it keeps what they stray by from growing
+  mean.diagonal().array() += kMeanFloor * mean.trace() / static_cast<double>(mean.rows());
   const Eigen::LLT<MatXd> cholesky(mean);
   const MatXd c = cholesky.matrixL();
   const Eigen::HouseholderQR<MatXd> qr(fields * c);
