@@ -101,7 +101,7 @@ Points2 children_skeletons(const LevelBasis& child) {
 }
 
 // Directions of the skeleton's charges that the far field loses least by, for one charge anywhere
-// in the box: with the mean C Cᵀ of t tᵀ, the leading right singular vectors of A C   (F.5)
+// in the box: with the mean C Cᵀ of t tᵀ, the leading right singular vectors of A C   (F.12)
 void compress(LevelBasis& basis, const MatXd& weights, const MatXd& fields, double tolerance) {
   MatXd mean = weights * weights.transpose() / static_cast<double>(weights.cols());
   // NOTE: moments that come up from the children have lost what their far field does not see, so

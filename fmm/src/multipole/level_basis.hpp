@@ -8,10 +8,10 @@
 namespace floe::fmm::multipole {
 
 /// The functions through which the boxes of one level are seen from afar. A charge at y acts on x
-/// outside the box and its neighbours like charges at a few skeleton points s (F.4),
+/// outside the box and its neighbours like charges at a few skeleton points s (F.11),
 ///   G(|x - y|) ≈ Σ_s G(|x - s|) t_s(y),
 /// and those like the r numbers m = restrict · t(y), t ≈ expand · m, the directions of least loss
-/// for charges spread evenly over the box (F.5). All real, coordinates relative to the centre.
+/// for charges spread evenly over the box (F.12). All real, coordinates relative to the centre.
 struct LevelBasis {
   double width = 0.0;      ///< of a box [m]
   Points2 skeleton;        ///< 2 × skeleton points

@@ -20,7 +20,7 @@ AlignedArray<Real> padded_columns(const MatXd& matrix) {
   return result;
 }
 
-/// Moments of the parent from those of child 0 … 3 (M2M), the children being on level + 1   (F.6);
+/// Moments of the parent from those of child 0 … 3 (M2M), the children being on level + 1   (F.13);
 /// its transpose takes local expansions down (L2L).
 MatXd child_to_parent(const Bases& bases, std::size_t level, int child);
 

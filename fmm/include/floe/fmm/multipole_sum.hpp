@@ -45,7 +45,7 @@ enum class NearSums {
   kEvaluated  ///< the kernel, again in every call: for a few calls, or when only far_apply is used
 };
 
-/// Fast multipole sum of (F.1), kernel-independent (F.4)–(F.6): a box is seen from afar through r
+/// Fast multipole sum of (F.1), kernel-independent (F.11)–(F.13): a box is seen from afar through r
 /// functions, the same for all boxes of a level, that carry the whole of G = c H0(kR) + F(R). All
 /// translations are real matrices: Re G goes over interaction lists, the smooth
 /// Im G = |c| J0(kR) over all pairs at once at the top of the tree.
