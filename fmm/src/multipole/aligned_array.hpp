@@ -2,34 +2,38 @@
 
 #include <floe/numeric/types.hpp>
 
-#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
 #include <memory>
 #include <new>
 
 namespace floe::fmm::multipole {
 
-/// Numbers on a cache-line boundary, zero at first.
+/// Numbers on a cache-line boundary, zero at first (by the operating system, where they are many).
 template <class Real>
 class AlignedArray {
  public:
   AlignedArray() = default;
   explicit AlignedArray(Index size)
-      : data_(static_cast<Real*>(::operator new[](bytes(size), kLine))), size_(size) {
-    std::fill_n(data_.get(), size, Real(0));
+      : memory_(std::calloc(static_cast<std::size_t>(size) * sizeof(Real) + kLine, 1)),
+        size_(size) {
+    if (!memory_) throw std::bad_alloc();
+    const auto address = reinterpret_cast<std::uintptr_t>(memory_.get());
+    data_ = reinterpret_cast<Real*>((address + kLine - 1) / kLine * kLine);
   }
 
-  Real* data() { return data_.get(); }
-  const Real* data() const { return data_.get(); }
+  Real* data() { return data_; }
+  const Real* data() const { return data_; }
   Index size() const { return size_; }
 
  private:
-  static constexpr std::align_val_t kLine{64};
-  static std::size_t bytes(Index size) { return static_cast<std::size_t>(size) * sizeof(Real); }
+  static constexpr std::size_t kLine = 64;
   struct Release {
-    void operator()(Real* data) const { ::operator delete[](data, kLine); }
+    void operator()(void* memory) const { std::free(memory); }
   };
 
-  std::unique_ptr<Real[], Release> data_;
+  std::unique_ptr<void, Release> memory_;
+  Real* data_ = nullptr;
   Index size_ = 0;
 };
 

@@ -5,7 +5,7 @@
 namespace floe::fmm::multipole {
 namespace {
 
-constexpr double kSingleFrom = 2e-6;  // tolerances that single precision reaches
+constexpr double kSingleFrom = 8e-7;  // tolerances that single precision reaches
 constexpr double kLossShare = 0.12;   // of the tolerance, loss of a basis
 
 // Rows of `length` numbers from the columns of a matrix
