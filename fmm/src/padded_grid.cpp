@@ -1,7 +1,7 @@
-#include <floe/fmm/fft_plan.hpp>
 #include "padded_grid_plans.hpp"
 
 #include <floe/fmm/even_spectrum.hpp>
+#include <floe/fmm/fft_plan.hpp>
 #include <floe/numeric/error.hpp>
 
 #include <omp.h>

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <floe/fmm/fft_plan.hpp>
-
 #include <floe/fmm/padded_grid.hpp>
 
 namespace floe::fmm {

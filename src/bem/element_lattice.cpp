@@ -6,7 +6,8 @@ namespace floe::bem {
 namespace {
 
 // Offsets of the local nodes from the element's centre, in half edges
-constexpr int kOffset[8][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {0, 1}, {-1, 0}, {1, 0}};
+constexpr int kOffset[8][2] = {{-1, -1}, {1, -1}, {1, 1},  {-1, 1},
+                               {0, -1},  {0, 1},  {-1, 0}, {1, 0}};
 
 // Local number of a node by its offset in half edges; -1 where none has it
 int local_number(long dx, long dy) {
@@ -46,7 +47,8 @@ std::optional<ElementLattice> find_element_lattice(const mesh::Q8Mesh& mesh) {
       const Point2 offset = 2.0 * (nodes.col(a) - expected).cwiseQuotient(step);
       const int local = local_number(std::lround(offset.x()), std::lround(offset.y()));
       if (local < 0) return std::nullopt;
-      const Point2 ideal = expected + 0.5 * step.cwiseProduct(Point2(kOffset[local][0], kOffset[local][1]));
+      const Point2 ideal =
+          expected + 0.5 * step.cwiseProduct(Point2(kOffset[local][0], kOffset[local][1]));
       if ((nodes.col(a) - ideal).cwiseAbs().maxCoeff() > slack) return std::nullopt;
       lattice.connectivity(local, e) = mesh.elements()(a, e);
     }

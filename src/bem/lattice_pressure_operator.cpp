@@ -1,8 +1,8 @@
+#include "bem/lattice_tables.hpp"
+
 #include <floe/bem/lattice_pressure_operator.hpp>
 #include <floe/mesh/rectangle.hpp>
 #include <floe/numeric/error.hpp>
-
-#include "bem/lattice_tables.hpp"
 
 #include <numbers>
 #include <utility>
@@ -12,16 +12,17 @@ namespace {
 
 ElementLattice require_lattice(const mesh::Q8Mesh& mesh) {
   auto lattice = find_element_lattice(mesh);
-  FLOE_VALIDATE_AS(MeshError, lattice.has_value(),
-                   "method = lattice on this mesh (must have equal rectangular elements, parallel to "
-                   "the axes, on one lattice)");
+  FLOE_VALIDATE_AS(
+      MeshError, lattice.has_value(),
+      "method = lattice on this mesh (must have equal rectangular elements, parallel to "
+      "the axes, on one lattice)");
   return std::move(*lattice);
 }
 
 // One cell, its nodes numbered by ElementLattice::Local
 mesh::Q8Mesh cell_mesh(const ElementLattice& lattice) {
-  const mesh::Q8Mesh cell = mesh::make_rectangle(
-      {.length = lattice.step_x, .width = lattice.step_y, .nx = 1, .ny = 1});
+  const mesh::Q8Mesh cell =
+      mesh::make_rectangle({.length = lattice.step_x, .width = lattice.step_y, .nx = 1, .ny = 1});
   const auto found = find_element_lattice(cell);
   Points2 nodes(2, 8);
   mesh::Connectivity elements(8, 1);
@@ -63,8 +64,7 @@ LatticePressureOperator::LatticePressureOperator(std::shared_ptr<const LatticePl
 
 double LatticePressureOperator::memory() const { return tables_->memory(); }
 
-void LatticePressureOperator::apply(const Eigen::Ref<const MatXcd>& x,
-                                    Eigen::Ref<MatXcd> y) const {
+void LatticePressureOperator::apply(const Eigen::Ref<const MatXcd>& x, Eigen::Ref<MatXcd> y) const {
   FLOE_EXPECT(x.rows() == size() && y.rows() == size() && x.cols() == y.cols());
   for (Index column = 0; column < x.cols(); ++column)
     apply_column(x.col(column).data(), y.col(column).data());
@@ -87,8 +87,7 @@ void LatticePressureOperator::apply_column(const Complex* x, Complex* y) const {
 
   // Convolve them with the kernels to the lattices of corners and of mid-sides
   std::array<fmm::InputLattice, kSymmetries> inputs;
-  for (int p = 0; p < kSymmetries; ++p)
-    inputs[p] = {sources.col(p).data(), nx, ny, true, true};
+  for (int p = 0; p < kSymmetries; ++p) inputs[p] = {sources.col(p).data(), nx, ny, true, true};
   VecXcd corners((nx + 1) * (ny + 1)), horizontal(nx * (ny + 1)), vertical((nx + 1) * ny);
   const std::array<fmm::OutputLattice, kTargets> outputs{
       fmm::OutputLattice{corners.data(), nx + 1, ny + 1, false, false},

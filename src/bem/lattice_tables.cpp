@@ -61,10 +61,9 @@ class SymmetricTransform {
 };
 
 // The kernels of one kind of target at all offsets ≥ 0: column i + nx·j, rows the symmetries
-Eigen::Matrix<Complex, kSymmetries, Eigen::Dynamic> offset_kernels(const LatticePlan& plan,
-                                                                   const ElementIntegrals& integrals,
-                                                                   const green::GreenTable& green,
-                                                                   TargetShift shift) {
+Eigen::Matrix<Complex, kSymmetries, Eigen::Dynamic> offset_kernels(
+    const LatticePlan& plan, const ElementIntegrals& integrals, const green::GreenTable& green,
+    TargetShift shift) {
   const ElementLattice& lattice = plan.lattice;
   Eigen::Matrix<Complex, kSymmetries, Eigen::Dynamic> kernels(kSymmetries, lattice.nx * lattice.ny);
 #pragma omp parallel for schedule(dynamic, 1)

@@ -3,10 +3,9 @@
 #include <floe/mesh/rectangle.hpp>
 #include <floe/numeric/error.hpp>
 
+#include <expect.hpp>
 #include <gtest/gtest.h>
 #include <omp.h>
-
-#include <expect.hpp>
 
 #include <functional>
 #include <limits>
@@ -49,11 +48,12 @@ struct Outline {
 };
 
 std::vector<Outline> outlines() {
-  return {{"rectangle", lattice_mesh(9, 5, [](int, int) { return true; })},
-          {"one element", lattice_mesh(1, 1, [](int, int) { return true; })},
-          {"L", lattice_mesh(8, 7, [](int i, int j) { return i < 3 || j < 2; })},
-          {"hole", lattice_mesh(8, 7, [](int i, int j) { return i < 2 || i > 4 || j < 2 || j > 4; })},
-          {"two plates", lattice_mesh(11, 4, [](int i, int) { return i < 4 || i > 6; })}};
+  return {
+      {"rectangle", lattice_mesh(9, 5, [](int, int) { return true; })},
+      {"one element", lattice_mesh(1, 1, [](int, int) { return true; })},
+      {"L", lattice_mesh(8, 7, [](int i, int j) { return i < 3 || j < 2; })},
+      {"hole", lattice_mesh(8, 7, [](int i, int j) { return i < 2 || i > 4 || j < 2 || j > 4; })},
+      {"two plates", lattice_mesh(11, 4, [](int i, int) { return i < 4 || i > 6; })}};
 }
 
 // Holds the lattice operator, its element integrals to each tolerance, against the dense one
@@ -65,7 +65,8 @@ void expect_twins(const Outline& outline, double depth, const std::vector<double
   MatXcd expected(x.rows(), 3), actual(x.rows(), 3);
   dense.apply(x, expected);
   for (const double tolerance : tolerances) {
-    const auto plan = std::make_shared<const LatticePlan>(mesh, IntegralOptions{.tolerance = tolerance});
+    const auto plan =
+        std::make_shared<const LatticePlan>(mesh, IntegralOptions{.tolerance = tolerance});
     LatticePressureOperator(plan, green).apply(x, actual);
     EXPECT_LE(test::relative_error(actual, expected), tolerance)
         << outline.name << ", depth " << depth;
@@ -84,7 +85,8 @@ TEST(twin_LatticePressureOperator, EqualsTheDenseOperatorAtEveryDepth) {
 TEST(LatticePressureOperator, HasTheSameBitsForAnyNumberOfThreadsAndInBlocks) {
   const mesh::Q8Mesh mesh = outlines()[3].mesh;
   const int before = omp_get_max_threads();
-  const MatXcd x = MatXcd::Ones(mesh.node_count(), 2) + Complex(0.0, 0.5) * MatXcd::Identity(mesh.node_count(), 2);
+  const MatXcd x = MatXcd::Ones(mesh.node_count(), 2) +
+                   Complex(0.0, 0.5) * MatXcd::Identity(mesh.node_count(), 2);
   MatXcd first;
   for (const int threads : {1, 2, 3, 7}) {
     omp_set_num_threads(threads);

@@ -13,8 +13,8 @@ struct ElementLattice {
   /// side, the middles of the left and right side, whatever the numbering of the mesh.
   enum Local : int { kCorner00, kCorner10, kCorner11, kCorner01, kLower, kUpper, kLeft, kRight };
 
-  double step_x = 0.0, step_y = 0.0;  ///< edges of an element [m]
-  Index nx = 0, ny = 0;               ///< cells of the bounding rectangle
+  double step_x = 0.0, step_y = 0.0;             ///< edges of an element [m]
+  Index nx = 0, ny = 0;                          ///< cells of the bounding rectangle
   Eigen::Matrix<Index, 2, Eigen::Dynamic> cell;  ///< (i, j) of each element, from 0
   mesh::Connectivity connectivity;               ///< node of each element by Local
 
@@ -24,8 +24,8 @@ struct ElementLattice {
   }
 };
 
-/// The lattice of a mesh, or nothing if its elements are not equal, not parallel to the axes, or not
-/// on one lattice, to 1e-9 of an edge (plus the rounding of the coordinates).
+/// The lattice of a mesh, or nothing if its elements are not equal, not parallel to the axes, or
+/// not on one lattice, to 1e-9 of an edge (plus the rounding of the coordinates).
 std::optional<ElementLattice> find_element_lattice(const mesh::Q8Mesh& mesh);
 
 }  // namespace floe::bem

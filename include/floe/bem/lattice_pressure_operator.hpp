@@ -24,13 +24,13 @@ struct LatticePlan {
   fmm::PaddedGrid grid;
 };
 
-/// I + κ𝒢 on equal elements, exact to rounding (and to the tolerance of the element integrals), near
-/// field included: the collocation matrix depends on differences of lattice positions only (F.5).
-/// The eight local nodes of the elements are eight lattices of sources, the corners and the two
-/// kinds of mid-sides three lattices of targets; sums and differences over mirrored local nodes make
-/// every kernel even or odd, so that a quarter of each spectrum is stored. Since sources belong to
-/// elements, edges, holes and gaps need nothing special. One application is eleven pruned FFTs;
-/// about 24·16 bytes a cell.
+/// I + κ𝒢 on equal elements, exact to rounding (and to the tolerance of the element integrals),
+/// near field included: the collocation matrix depends on differences of lattice positions only
+/// (F.5). The eight local nodes of the elements are eight lattices of sources, the corners and the
+/// two kinds of mid-sides three lattices of targets; sums and differences over mirrored local nodes
+/// make every kernel even or odd, so that a quarter of each spectrum is stored. Since sources
+/// belong to elements, edges, holes and gaps need nothing special. One application is eleven pruned
+/// FFTs; about 24·16 bytes a cell.
 class LatticePressureOperator final : public krylov::LinearOperator {
  public:
   LatticePressureOperator(std::shared_ptr<const LatticePlan> plan, const green::GreenTable& green);
