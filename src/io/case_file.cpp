@@ -21,6 +21,10 @@ toml::table parse(const std::string& content, const CaseSource& source) {
     std::string text(error.description());
     if (text.size() > 1 && !std::isupper(static_cast<unsigned char>(text[1])))
       text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
+    // The parser shows what it saw, line breaks too
+    std::replace_if(
+        text.begin(), text.end(),
+        [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, ' ');
     source.refuse(error.source(), "not valid TOML: " + text);
   }
 }

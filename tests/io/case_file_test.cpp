@@ -324,6 +324,7 @@ TEST(CaseFile, SurvivesFilesThatAreNoCase) {
   EXPECT_THAT(refusal(std::string("a = \"\0\"", 8)), StartsWith("case.toml:1:"));
   EXPECT_THAT(refusal("a = " + std::string(20000, '[')), StartsWith("case.toml:1:"));
   EXPECT_THAT(refusal("a = \"\xff\xfe\""), StartsWith("case.toml:1:"));
+  EXPECT_THAT(refusal("a = f\nb = 1\n"), testing::Not(HasSubstr("\n")));
   std::string noise;
   unsigned state = 12345;
   for (int i = 0; i < 300'000; ++i) {
