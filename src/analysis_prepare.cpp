@@ -83,7 +83,7 @@ Meshes prepare_meshes(const Case& data, Log& log) {
       preflight(data, meshes.fluid, meshes.own_plate ? &*meshes.own_plate : nullptr);
   for (const std::string& warning : found.warnings) log.warning(warning);
   require_resolution(data, found);
-  require_points_on_plates(data, meshes.plate());
+  require_fit(data, meshes.fluid, meshes.own_plate ? &*meshes.own_plate : nullptr);
   require_budget(estimate(data, meshes.fluid, omp_get_max_threads()),
                  numeric::memory_budget(data.memory_limit, numeric::memory_limits()));
   return meshes;

@@ -1,4 +1,5 @@
 #include <floe/hydro/flexural_gravity.hpp>
+#include <floe/mesh/point_locator.hpp>
 #include <floe/numeric/error.hpp>
 #include <floe/preflight.hpp>
 #include <floe/response/stations.hpp>
@@ -65,6 +66,46 @@ void warn_about_waves(const std::vector<Resolution>& resolution, double size,
   }
 }
 
+// The points and the stations of the lines lie on the mesh
+void require_points(const Case& data, const mesh::Q8Mesh& mesh) {
+  std::vector<std::string> names;
+  std::vector<Point2> positions;
+  for (const NamedPoint& point : data.points) {
+    names.push_back(point.name);
+    positions.push_back(point.position);
+  }
+  for (const NamedLine& line : data.lines) {
+    const Points2 stations = response::line_stations(line.from, line.to, line.count);
+    for (int i = 0; i < line.count; ++i) {
+      names.push_back(fmt::format("{} of line {}", i + 1, line.name));
+      positions.emplace_back(stations.col(i));
+    }
+  }
+  Points2 points(2, static_cast<Index>(positions.size()));
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    points.col(static_cast<Index>(i)) = positions[i];
+  static_cast<void>(response::interpolation_to(mesh, points, names));
+}
+
+void require_modes(const Case& data, const mesh::Q8Mesh& mesh) {
+  const Index least = 3 * mesh.piece_count(), most = 3 * mesh.node_count() / 2;
+  FLOE_VALIDATE(
+      data.mode_count >= least && data.mode_count <= most,
+      "invalid modes.count = " << data.mode_count << " (must be " << least << " to " << most
+                               << " for this mesh: three a plate, at most half the unknowns)");
+}
+
+void require_cover(const mesh::Q8Mesh& plate, const mesh::Q8Mesh& fluid) {
+  const mesh::PointLocator locator(plate);
+  for (Index node = 0; node < fluid.node_count(); ++node) {
+    const Point2 at = fluid.nodes().col(node);
+    FLOE_VALIDATE_AS(MeshError, locator.locate(at).has_value(),
+                     "invalid plate.mesh: node " << node + 1 << " of [mesh] at [" << at.x() << ", "
+                                                 << at.y()
+                                                 << "] m lies outside (must cover all of [mesh])");
+  }
+}
+
 }  // namespace
 
 Preflight preflight(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Mesh* plate_mesh) {
@@ -100,24 +141,13 @@ void require_resolution(const Case& data, const Preflight& found) {
                                                 "--allow-coarse)");
 }
 
-void require_points_on_plates(const Case& data, const mesh::Q8Mesh& mesh) {
-  std::vector<std::string> names;
-  std::vector<Point2> positions;
-  for (const NamedPoint& point : data.points) {
-    names.push_back(point.name);
-    positions.push_back(point.position);
+void require_fit(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Mesh* plate_mesh) {
+  require_points(data, mesh);
+  if (plate_mesh) {
+    require_cover(*plate_mesh, mesh);
+    require_points(data, *plate_mesh);
   }
-  for (const NamedLine& line : data.lines) {
-    const Points2 stations = response::line_stations(line.from, line.to, line.count);
-    for (int i = 0; i < line.count; ++i) {
-      names.push_back(fmt::format("{} of line {}", i + 1, line.name));
-      positions.emplace_back(stations.col(i));
-    }
-  }
-  Points2 points(2, static_cast<Index>(positions.size()));
-  for (std::size_t i = 0; i < positions.size(); ++i)
-    points.col(static_cast<Index>(i)) = positions[i];
-  static_cast<void>(response::interpolation_to(mesh, points, names));
+  require_modes(data, plate_mesh ? *plate_mesh : mesh);
 }
 
 }  // namespace floe

@@ -43,7 +43,10 @@ Preflight preflight(const Case& data, const mesh::Q8Mesh& mesh,
 /// allow it.
 void require_resolution(const Case& data, const Preflight& found);
 
-/// Throws InputError naming the points and line stations of the case that lie on no plate.
-void require_points_on_plates(const Case& data, const mesh::Q8Mesh& mesh);
+/// Throws what a run would throw later on. InputError: a point or a station of a line lies on no
+/// plate (the first is named), or there are fewer modes than three a plate or more than half the
+/// unknowns. MeshError: the plate's own mesh leaves out a node of the fluid's.
+void require_fit(const Case& data, const mesh::Q8Mesh& mesh,
+                 const mesh::Q8Mesh* plate_mesh = nullptr);
 
 }  // namespace floe

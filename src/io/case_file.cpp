@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 
 namespace floe::io {
@@ -40,6 +41,20 @@ void require_sections(const Section& root) {
     root.require(name, fmt::format("a section [{}] is required", name));
 }
 
+// The title goes to terminals and into comments of tables: one line, no commands to a terminal
+std::string read_title(const Section& root) {
+  std::string title = root.text_or("title", "");
+  const bool plain = std::none_of(title.begin(), title.end(), [](char c) {
+    return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+  });
+  if (!plain)
+    root.source().refuse(root.find("title")->source(),
+                         fmt::format("invalid title = {} (must be one line without control "
+                                     "characters)",
+                                     shown_text(title)));
+  return title;
+}
+
 }  // namespace
 
 CaseFile read_case(const std::filesystem::path& path) {
@@ -56,7 +71,7 @@ CaseFile read_case(const std::filesystem::path& path) {
 
   // Check each section and take it over
   CaseFile file;
-  file.data.title = root.text_or("title", "");
+  file.data.title = read_title(root);
   read_water(root, file.data);
   read_plate(root, file.data);
   read_meshes(root, path.parent_path(), file.data);

@@ -133,9 +133,12 @@ int Section::integer(const std::string& key, int least, int largest) const {
   const std::string required = fmt::format("must be a whole number from {} to {}", least, largest);
   const toml::node& node = require(key, required);
   const auto* whole = node.as_integer();
+  const auto* number = node.as_floating_point();
+  // 4.0 is shown as it was written: "invalid nx = 4" would be a riddle
+  const bool round = number && number->get() == std::trunc(number->get());
   if (!whole || whole->get() < least || whole->get() > largest)
-    source_.refuse(node.source(),
-                   fmt::format("invalid {} = {} ({})", full_name(key), shown(node), required));
+    source_.refuse(node.source(), fmt::format("invalid {} = {}{} ({})", full_name(key), shown(node),
+                                              round ? ".0" : "", required));
   return static_cast<int>(whole->get());
 }
 
@@ -163,7 +166,9 @@ NumberList Section::numbers(const std::string& key, const NumberRule& rule) cons
   if (node.is_table()) {
     const Section range = table(key, {"from", "to", "count"});
     const double from = range.number("from", rule), to = range.number("to", rule);
-    const auto* count = range.require("count", "must be a whole number").as_integer();
+    const auto* count =
+        range.require("count", fmt::format("must be a whole number from 2 to {}", kMostNumbers))
+            .as_integer();
     if (count && count->get() > kMostNumbers)
       throw BudgetError(source_.place(count->source()) +
                         fmt::format("invalid {}.count = {} (must be at most {})", full_name(key),

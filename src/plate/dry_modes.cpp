@@ -93,6 +93,9 @@ DryModes dry_modes(const mesh::Q8Mesh& mesh, const PlateProperties& properties,
     place(pieces[mode.piece], modes[mode.piece].elastic.col(mode.column), result.shape.col(column));
     result.shape.col(column) *= shape_sign(result.shape.col(column));
   }
+  FLOE_VALIDATE_AS(ConvergenceError, result.omega.allFinite() && result.shape.allFinite(),
+                   "invalid dry modes: not finite (are thickness, stiffness and density of the "
+                   "plate in SI units?)");
   result.estimated_frequency_error =
       estimate_frequency_errors(mesh, properties, result.omega, result.shape).maxCoeff();
   return result;

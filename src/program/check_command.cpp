@@ -75,7 +75,7 @@ void check_case(const RunOptions& options) {
   account.show_warnings();
 
   // Refuse what a run would refuse
-  require_points_on_plates(data, fluid.mesh);
+  require_fit(data, fluid.mesh, plate ? &plate->mesh : nullptr);
   require_resolution(data, found);
   require_budget(needed, budget);
 }

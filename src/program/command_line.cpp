@@ -2,6 +2,7 @@
 
 #include "program/commands.hpp"
 #include "program/exit_code.hpp"
+#include "program/parse_errors.hpp"
 #include "program/signals.hpp"
 
 #include <floe/io/case_file.hpp>
@@ -96,7 +97,9 @@ void add_run(CLI::App& app, Choice& choice) {
                                                        {"json", ProgressStyle::kJson},
                                                        {"none", ProgressStyle::kNone}};
   command.add_option("-o", choice.run.output, "result folder (default: the case's name + .out)")
-      ->type_name("DIR");
+      ->type_name("DIR")
+      ->check(one_of("-o", "the name of a folder",
+                     [](const std::string& text) { return !text.empty(); }));
   command.add_flag("--fresh", choice.run.fresh, "replace the results of an earlier run");
   command
       .add_option_function<std::string>(
@@ -186,11 +189,7 @@ int parse_and_run(int argc, char** argv) {
     print(text.str());
     return kDone;
   } catch (const CLI::ParseError& error) {
-    // Our own checks speak for themselves; the parser puts the option's name before them
-    const std::string text = error.what();
-    const auto ours = text.find("invalid --");
-    throw UsageError(ours != std::string::npos ? text.substr(ours)
-                                               : text + " (floe --help tells more)");
+    throw UsageError(explain(error, app));
   }
   if (!choice.memory.empty()) choice.run.memory = parse_bytes(choice.memory);
   choice.action();

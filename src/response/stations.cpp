@@ -14,9 +14,12 @@ SparseMatrix interpolation_to(const mesh::Q8Mesh& mesh, const Points2& points,
   std::vector<Eigen::Triplet<double, std::int64_t>> entries;
   for (Index i = 0; i < points.cols(); ++i) {
     const auto found = locator.locate(points.col(i));
-    FLOE_VALIDATE(found.has_value(), "invalid point " << names[i] << " = [" << points(0, i) << ", "
-                                                      << points(1, i)
-                                                      << "] m (must lie on a plate)");
+    FLOE_VALIDATE(found.has_value(),
+                  "invalid point " << names[i] << " = [" << points(0, i) << ", " << points(1, i)
+                                   << "] m (must lie on a plate; the mesh spans "
+                                   << "x = " << mesh.lower().x() << " … " << mesh.upper().x()
+                                   << " m, y = " << mesh.lower().y() << " … " << mesh.upper().y()
+                                   << " m)");
     const mesh::Shape8 shape = mesh::q8_shape(found->xi, found->eta);
     for (int a = 0; a < 8; ++a)
       entries.emplace_back(i, mesh.elements()(a, found->element), shape[a]);

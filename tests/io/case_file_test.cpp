@@ -207,6 +207,7 @@ TEST(CaseFile, NamesPlaceValueAndRemedyOfEveryFault) {
        "case.toml:9:50: invalid mesh.rectangle.nx = 0 (must be a whole number from 1 to "
        "100000000)"},
       {"nx = 4", "nx = 4.5", "case.toml:9:50: invalid mesh.rectangle.nx = 4.5 (must be a whole"},
+      {"nx = 4", "nx = 4.0", "case.toml:9:50: invalid mesh.rectangle.nx = 4.0 (must be a whole"},
       {"ny = 2", "ny = 2, grading = 0.5",
        "case.toml:9:71: invalid mesh.rectangle.grading = 0.5 (must be 1 to 100)"},
       {"[0.4, 0.5]", "[0.4, 0]",
@@ -221,10 +222,14 @@ TEST(CaseFile, NamesPlaceValueAndRemedyOfEveryFault) {
        "1000 rad/s)"},
       {"[0.4, 0.5]", "{ from = 1, to = 0.5, count = 3 }",
        "case.toml:11:26: invalid waves.omega.to = 0.5 rad/s (must be greater than from)"},
+      {"[0.4, 0.5]", "{ from = 1, to = 2 }",
+       "case.toml:11:9: missing waves.omega.count (must be a whole number from 2 to 100000)"},
       {"[0.4, 0.5]", "{ from = 1, to = 2, count = 1 }",
        "case.toml:11:37: invalid waves.omega.count = 1 (must be a whole number from 2 to 100000)"},
       {"[0, 30]", "[400]",
        "case.toml:12:16: invalid waves.heading_deg[0] = 400 ° (must be -360 to 360)"},
+      {"[water]", "title = \"a\\u001b[2J\"\n[water]",
+       "case.toml:1:9: invalid title = \"a?[2J\" (must be one line without control characters)"},
       // Types and units
       {"58.5", "\"58,5\"", "case.toml:2:9: invalid water.depth = \"58,5\" (must be a number in m)"},
       {"58.5", "[58.5]", "case.toml:2:9: invalid water.depth = a list (must be a number in m)"},

@@ -43,10 +43,27 @@ TEST(Program, RefusesWrongCommandLinesWithTwo) {
   const TestFolder folder;
   folder.write("case.toml", kCaseText);
   const std::pair<const char*, const char*> table[] = {
-      {"", "subcommand"},
+      {"", "missing word after floe (must be one of run, check, mesh; floe --help tells more)"},
       {"rnu case.toml", "unknown command rnu (did you mean run?)"},
       {"run", "case is required"},
-      {"run case.toml --bogus", "--bogus"},
+      {"run case.toml --bogus", "unknown flag --bogus (known are "},
+      {"run case.toml --theads=3", "unknown flag --theads (did you mean --threads?)"},
+      {"run --freh case.toml", "unknown flag --freh (did you mean --fresh?)"},
+      {"run case.toml -threads 3", "unknown flag -threads (did you mean --threads?)"},
+      {"check case.toml -o x", "unknown flag -o (known are "},
+      {"run case.toml b.toml", "unexpected word b.toml (floe run --help tells"},
+      {"run -x.toml", "unknown flag -x.toml (known are "},
+      {"run -- case.toml --fresh", "unexpected word --fresh (floe run --help tells"},
+      {"run case.toml -o ''", "invalid -o =  (must be the name of a folder)"},
+      {"run case.toml --memory", "missing value of --memory (floe run --help tells more)"},
+      {"run case.toml --threads 1 --threads 2", "--threads given more than once"},
+      {"mesh", "missing word after floe mesh (must be one of rectangle; "},
+      {"mesh rectange", "unknown word rectange (did you mean rectangle?)"},
+      {"mesh rectangle --length x --width 1 --nx 2 --ny 2 -o a.msh",
+       "invalid --length = x (must be a number)"},
+      {"mesh rectangle --length 3 --width 1 --nx 2.5 --ny 2 -o a.msh",
+       "invalid --nx = 2.5 (must be a whole number)"},
+      {"mesh rectangle --length 3", "--width is required (floe mesh rectangle --help tells more)"},
       {"run case.toml --threads 0", "invalid --threads = 0 (must be 1 to 1024)"},
       {"run case.toml --threads -3", "invalid --threads = -3 (must be 1 to 1024)"},
       {"run case.toml --threads 100000", "invalid --threads = 100000 (must be 1 to 1024)"},
@@ -131,8 +148,35 @@ TEST(Program, RefusesPointsThatLieOnNoPlate) {
     for (const char* command : {"run", "check"}) {
       const ProgramResult result = run_floe(folder, std::string(command) + " case.toml");
       EXPECT_EQ(result.code, 3) << command << " " << output;
-      EXPECT_THAT(result.error, HasSubstr("must lie on a plate"));
+      EXPECT_THAT(result.error, HasSubstr("must lie on a plate; the mesh spans x = -150 … 150 m, "
+                                          "y = -30 … 30 m)"));
     }
+  }
+  EXPECT_THAT(names_in(folder.path()), ElementsAre("case.toml"));
+}
+
+TEST(Program, RefusesModesThatTheMeshCannotHave) {
+  const TestFolder folder;
+  folder.write("case.toml", kCaseText + "[modes]\ncount = 56\n");  // 37 nodes, 111 unknowns
+  for (const char* command : {"run", "check"}) {
+    const ProgramResult result = run_floe(folder, std::string(command) + " case.toml");
+    EXPECT_EQ(result.code, 3);
+    EXPECT_THAT(result.error,
+                StartsWith("floe: error: invalid modes.count = 56 (must be 3 to 55 "));
+  }
+  EXPECT_THAT(names_in(folder.path()), ElementsAre("case.toml"));
+}
+
+TEST(Program, RefusesAPlateMeshThatLeavesOutWater) {
+  const TestFolder folder;
+  folder.write("case.toml", with("density = 256.25",
+                                 "density = 256.25\nmesh = { rectangle = { length = 200.0, width = "
+                                 "60.0, nx = 4, ny = 2 } }"));
+  for (const char* command : {"run", "check"}) {
+    const ProgramResult result = run_floe(folder, std::string(command) + " case.toml");
+    EXPECT_EQ(result.code, 4);
+    EXPECT_THAT(result.error, StartsWith("floe: error: invalid plate.mesh: node "));
+    EXPECT_THAT(result.error, HasSubstr("(must cover all of [mesh])"));
   }
   EXPECT_THAT(names_in(folder.path()), ElementsAre("case.toml"));
 }

@@ -135,6 +135,15 @@ TEST(Run, SurvivesClosedAndBrokenOutput) {
   EXPECT_EQ(folder.read("a/rao_points.csv"), folder.read("c/rao_points.csv"));
 }
 
+TEST(Run, TellsModesThatAreNoNumbersWithEight) {
+  const TestFolder folder;
+  folder.write("case.toml", with("thickness = 2.0", "thickness = 1e-300"));
+  const ProgramResult result = run_floe(folder, "run case.toml");
+  EXPECT_EQ(result.code, 8);
+  EXPECT_THAT(result.error, HasSubstr("floe: error: invalid dry modes: not finite"));
+  EXPECT_THAT(names_in(folder.path()), ElementsAre("case.toml"));
+}
+
 TEST(Run, TellsAFullDiskWithSeven) {
   const TestFolder folder;
   folder.write("tiny.toml", kCaseText + kOutput);
