@@ -18,7 +18,7 @@ namespace {
 
 // CᵀMC and CᵀKC as the docstring promises them
 void expect_normal_modes(const mesh::Q8Mesh& mesh, const PlateProperties& properties,
-                         const DryModes& modes) {
+                         const DryModes& modes, double tolerance = 1e-9) {
   const PlateMatrices plate = assemble_plate(mesh, properties);
   const MatXd mass = modes.shape.transpose() * (plate.mass * modes.shape);
   test::expect_all_close(modes.modal_mass, mass, 1e-11);
@@ -28,8 +28,17 @@ void expect_normal_modes(const mesh::Q8Mesh& mesh, const PlateProperties& proper
   EXPECT_LT(mass.topRightCorner(modes.rigid_count, elastic).cwiseAbs().maxCoeff(), 1e-11);
   const MatXd stiffness = modes.shape.transpose() * (plate.stiffness * modes.shape);
   const VecXd expected = modes.omega.cwiseAbs2();
-  // Rounding: eps times the largest of K over M, 1e10 here, over the lowest ω²
-  test::expect_all_close(stiffness, MatXd(expected.asDiagonal()), 1e-9);
+  // Unless asked otherwise, rounding: eps times the largest of K over M, 1e7 times that of the
+  // modes
+  test::expect_all_close(stiffness, MatXd(expected.asDiagonal()), tolerance);
+}
+
+// The elastic ones, by a dense solution
+VecXd dense_frequencies(const mesh::Q8Mesh& mesh, const PlateProperties& properties, Index count) {
+  const Piece piece = split_pieces(mesh).front();
+  const PlateMatrices plate = assemble_plate(mesh, properties);
+  const MatXd rigid = rigid_modes(piece.nodes, area_moments(piece).centroid, NodeMass(plate.mass));
+  return dense_elastic_modes(plate, 1.0, rigid, count).value.cwiseSqrt();
 }
 
 TEST(DryModes, AreMassOrthonormalAndDiagonaliseTheStiffness) {
@@ -146,24 +155,24 @@ TEST(DryModes, RefuseAPencilThatIsNotDefinite) {
   EXPECT_THROW(ShiftedFactor(plate, -1e3), ConvergenceError);
 }
 
-// A Krylov space from one start holds one copy of each; the square has a pair in every third or so
+// A Krylov space from one start vector holds one copy of each; others come by rounding, or not at
+// all. The square has many pairs. These counts are among those where the first search leaves one
+// out (24 of 450 on meshes like this).
 TEST(identity_DryModes, KeepAllCopiesOfMultipleModes) {
   const mesh::Q8Mesh mesh = test::rectangle_arrays(12, 12, 100.0, 100.0).build();
-  const PlateProperties properties = test::table1_properties();
-  const DryModes modes = dry_modes(mesh, properties, {.count = 60});
-  const Piece piece = split_pieces(mesh).front();
-  const PlateMatrices plate = assemble_plate(mesh, properties);
-  const NodeMass mass(plate.mass);
-  const MatXd rigid = rigid_modes(piece.nodes, area_moments(piece).centroid, mass);
-  const Eigenpairs all = dense_elastic_modes(plate, std::pow(modes.omega[3], 2), rigid, 57);
+  PlateProperties properties = test::table1_properties();
+  properties.poisson_ratio = 0.3;
+  const VecXd expected = dense_frequencies(mesh, properties, 60);
   int pairs = 0;
-  for (int i = 3; i < 60; ++i) {
-    test::expect_close(modes.omega[i], std::sqrt(all.value[i - 3]), 1e-8, 0.0,
-                       "mode " + std::to_string(i + 1));
-    if (modes.omega[i] - modes.omega[i - 1] < 1e-7 * modes.omega[i]) ++pairs;
-  }
+  for (int i = 1; i < 60; ++i)
+    if (expected[i] - expected[i - 1] < 1e-7 * expected[i]) ++pairs;
   EXPECT_GE(pairs, 12);
-  expect_normal_modes(mesh, properties, modes);
+  for (const int count : {19, 24, 25, 26, 46, 56}) {
+    const DryModes modes = dry_modes(mesh, properties, {.count = count, .tolerance = 1e-6});
+    test::expect_all_close(modes.omega.tail(count - 3), expected.head(count - 3), 1e-8, 0.0,
+                           std::to_string(count));
+    expect_normal_modes(mesh, properties, modes, 1e-6);
+  }
 }
 
 TEST(twin_DryModes, OfLanczosAreThoseOfTheDenseSolution) {
@@ -173,13 +182,7 @@ TEST(twin_DryModes, OfLanczosAreThoseOfTheDenseSolution) {
     const mesh::Q8Mesh mesh = test::bent_rectangle(15, 6, 100.0, 40.0, 0.5).build();
     ASSERT_GT(3 * mesh.node_count(), 600);  // else dry_modes is dense itself
     const DryModes modes = dry_modes(mesh, properties, {.count = 40});
-    const Piece piece = split_pieces(mesh).front();
-    const PlateMatrices plate = assemble_plate(mesh, properties);
-    const NodeMass mass(plate.mass);
-    const MatXd rigid = rigid_modes(piece.nodes, area_moments(piece).centroid, mass);
-    const Eigenpairs all = dense_elastic_modes(plate, std::pow(modes.omega[3], 2), rigid, 37);
-    for (int i = 3; i < 40; ++i)
-      test::expect_close(modes.omega[i], std::sqrt(all.value[i - 3]), 1e-8);
+    test::expect_all_close(modes.omega.tail(37), dense_frequencies(mesh, properties, 37), 1e-8);
   }
 }
 
