@@ -45,7 +45,7 @@ TEST(twin_PfftSum, KeepsItsToleranceForTheGreenFunction) {
             points, points,
             fmm::PfftOptions{.tolerance = tolerance,
                              .max_wavenumber = green.wavenumber(),
-                             .typical_kernel = &table});
+                             .typical_kernel = kh < 0.1 ? nullptr : &table});
         const fmm::PfftSum sum(plan, table);
         const fmm::DirectSum truth(points, points, table);
         MatXcd potentials(count, 2);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <vector>
 
@@ -156,20 +157,25 @@ PfftDesign choose_design(const Extent& extent, const Points2& sources, const Poi
   const Point2 size = extent.high - extent.low;
   const double area = std::max(size.x() * size.y(), 1e-12 * size.x() * size.x());
   const double density = static_cast<double>(sources.cols()) / std::max(area, 1e-300);
-  const double credit =
-      options.typical_kernel
-          ? std::max(1.0, 0.8 * strength(*options.typical_kernel, sources, targets))
-          : 1.0;
+  // What the waves of a typical kernel allow, and half of the tolerance kept in reserve then; its
+  // logarithm, of the wave part, costs accuracy at distances where it outweighs 2/R (shallow water)
+  double credit = 1.0, logarithm = 0.0, tolerance = options.tolerance;
+  if (options.typical_kernel) {
+    credit = std::max(1.0, strength(*options.typical_kernel, sources, targets));
+    logarithm = 2.0 * std::abs(options.typical_kernel->wave().coefficient) / std::numbers::pi;
+    tolerance *= 0.5;
+  }
   for (const MeasuredError& measured : kMeasured) {
     for (int radius = 1; radius <= kRadii; ++radius) {
       const double near = measured.at_radius[radius - 1] / credit;
-      if (near > options.tolerance) continue;
+      if (near > tolerance) continue;
       // Coarsest spacing at which the waves are right, then finer ones by the cost
-      const double left = std::sqrt(options.tolerance * options.tolerance - near * near);
+      const double left = std::sqrt(tolerance * tolerance - near * near);
       double largest = 2.0 / std::sqrt(density);
       if (options.max_wavenumber > 0.0)
         largest = std::min(largest, largest_phase(measured.stencil, left) / options.max_wavenumber);
       for (double spacing = largest; spacing > largest / 20.0; spacing *= 0.8) {
+        if (near * (1.0 + logarithm * radius * spacing / measured.stencil) > tolerance) continue;
         PfftDesign design{.stencil = measured.stencil, .near_radius = radius, .spacing = spacing};
         estimate_cost(extent, sources, targets, options.tolerance, design);
         if (best.stencil == 0 || design.nanoseconds < best.nanoseconds)
