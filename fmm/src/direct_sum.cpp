@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace floe::fmm {
@@ -55,14 +54,16 @@ void DirectSum::apply(const Eigen::Ref<const MatXcd>& charges,
   for (Index i = 0; i < targets_.cols(); ++i) potentials.row(i) = potential_at(i, charges);
 }
 
-void DirectSum::far_apply(const Eigen::Ref<const MatXcd>&, Eigen::Ref<MatXcd> potentials) const {
-  potentials.setZero();
+void DirectSum::far_apply(const Eigen::Ref<const MatXcd>& charges,
+                          Eigen::Ref<MatXcd> potentials) const {
+  apply(charges, potentials);
 }
 
-std::vector<Index> DirectSum::near_sources(Index) const {
-  std::vector<Index> all(sources_.cols());
-  std::iota(all.begin(), all.end(), Index{0});
-  return all;
+std::vector<Index> DirectSum::near_sources(Index target) const {
+  std::vector<Index> coincident;
+  for (Index j = 0; j < sources_.cols(); ++j)
+    if (sources_.col(j) == targets_.col(target)) coincident.push_back(j);
+  return coincident;
 }
 
 void DirectSum::far_values(Index, std::span<const Index>, std::span<Complex> values) const {

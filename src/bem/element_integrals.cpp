@@ -18,26 +18,27 @@ class Batch {
   Batch(const Point2& target, const green::GreenTable& green, const FarRules& rules, int tier)
       : target_(target), green_(green), rules_(rules), tier_(tier) {}
 
-  void add(Index element) {
-    elements_[count_++] = element;
-    if ((count_ + 1) * FarRules::size(tier_) > kBatchPoints) full_ = true;
+  // `slot` is what `sink` is told with the sum
+  void add(Index slot, Index element) {
+    const int at = count_ * FarRules::size(tier_);
+    rules_.fill_points(tier_, element, x_.data() + at, y_.data() + at, area_.data() + at);
+    slots_[count_++] = slot;
   }
-  bool full() const { return full_; }
+  bool full() const { return (count_ + 1) * FarRules::size(tier_) > kBatchPoints; }
 
-  // Evaluates and adds to the row what has been collected
-  void flush(const mesh::Connectivity& connectivity, Eigen::Ref<VecXcd> row) {
-    const std::size_t size = FarRules::size(tier_);
-    for (int i = 0; i < count_; ++i)
-      fill_distances(target_, rules_.x(tier_, elements_[i]), rules_.y(tier_, elements_[i]), size,
-                     distance_.data() + i * size);
-    green_.evaluate({distance_.data(), count_ * size}, {value_.data(), count_ * size});
+  // Calls sink(slot, sum) for each element collected
+  template <class Sink>
+  void flush(const Sink& sink) {
+    const std::size_t size = FarRules::size(tier_), points = count_ * size;
+    fill_distances(target_, x_.data(), y_.data(), points, distance_.data());
+    green_.evaluate({distance_.data(), points}, {value_.data(), points});
+    scale_values(area_.data(), points, value_.data());
     for (int i = 0; i < count_; ++i) {
       std::array<Complex, 8> sum;
-      sum_weighted(rules_.weight(tier_, elements_[i]), value_.data() + i * size, size, sum.data());
-      for (int m = 0; m < 8; ++m) row[connectivity(m, elements_[i])] += sum[m];
+      sum_weighted(rules_.shape(tier_), value_.data() + i * size, size, sum.data());
+      sink(slots_[i], sum);
     }
     count_ = 0;
-    full_ = false;
   }
 
  private:
@@ -46,10 +47,81 @@ class Batch {
   const FarRules& rules_;
   int tier_;
   int count_ = 0;
-  bool full_ = false;
-  std::array<Index, kBatchPoints> elements_;
-  std::array<double, kBatchPoints> distance_;
+  std::array<Index, kBatchPoints> slots_;
+  std::array<double, kBatchPoints> x_, y_, area_, distance_;
   std::array<Complex, kBatchPoints> value_;
+};
+
+// What a target needs: the rules, and scratch
+class TargetIntegrals {
+ public:
+  TargetIntegrals(const mesh::Q8Mesh& mesh, const FarRules& rules, const Point2& target,
+                  std::span<const mesh::ElementPoint> holders, const green::GreenTable& green)
+      : mesh_(mesh), rules_(rules), target_(target), holders_(holders), green_(green) {
+    batches_.reserve(FarRules::kTiers);
+    for (int tier = 0; tier < FarRules::kTiers; ++tier)
+      batches_.emplace_back(target_, green_, rules_, tier);
+  }
+
+  // Integrates element(k) for k = 0 … count - 1 and calls sink(k, its eight integrals), in an order
+  // that depends on the elements alone
+  template <class ElementOf, class Sink>
+  void integrate(Index count, const ElementOf& element_of, const Sink& sink) {
+    for (Index k = 0; k < count; ++k) {
+      const Index element = element_of(k);
+      if (add_singular(element)) {
+        sink(k, sum_points());
+        continue;
+      }
+      const int tier = tier_for(element);
+      if (tier == FarRules::kTooNear) {
+        add_near_points(target_, mesh_.element_nodes(element), wavenumber_, rules_, points_);
+        sink(k, sum_points());
+        continue;
+      }
+      batches_[tier].add(k, element);
+      if (batches_[tier].full()) batches_[tier].flush(sink);
+    }
+    for (Batch& batch : batches_) batch.flush(sink);
+  }
+
+ private:
+  // Points of an element that holds the target
+  bool add_singular(Index element) {
+    for (const mesh::ElementPoint& holder : holders_)
+      if (holder.element == element) {
+        add_singular_points(mesh_.element_nodes(element), holder.xi, holder.eta, wavenumber_,
+                            green_.exact().depth(), points_);
+        return true;
+      }
+    return false;
+  }
+
+  int tier_for(Index element) const {
+    const double half_edge = rules_.half_edge(element);
+    double gap = (rules_.centre(element) - target_).norm() - rules_.radius(element);
+    if (gap < 4.0 * half_edge) gap = distance_to_element(target_, mesh_.element_nodes(element));
+    return std::max(rules_.tier_for_gap(gap, half_edge),
+                    rules_.tier_for_wave(wavenumber_, half_edge));
+  }
+
+  std::array<Complex, 8> sum_points() {
+    std::array<Complex, 8> sum;
+    sum_kernel(target_, points_.x.data(), points_.y.data(), points_.weight.data(), points_.count(),
+               green_, buffer_, sum.data());
+    points_.clear();
+    return sum;
+  }
+
+  const mesh::Q8Mesh& mesh_;
+  const FarRules& rules_;
+  Point2 target_;
+  std::span<const mesh::ElementPoint> holders_;
+  const green::GreenTable& green_;
+  double wavenumber_ = green_.exact().wavenumber();
+  QuadraturePoints points_;
+  KernelBuffer buffer_;
+  std::vector<Batch> batches_;
 };
 
 }  // namespace
@@ -63,13 +135,28 @@ ElementIntegrals::ElementIntegrals(const mesh::Q8Mesh& mesh, const IntegralOptio
     for (int a = 0; a < 8; ++a) node_elements_[mesh.elements()(a, e)].emplace_back(e, a);
 }
 
-void ElementIntegrals::node_row(Index node, const green::GreenTable& green,
-                                Eigen::Ref<VecXcd> row) const {
+std::vector<mesh::ElementPoint> ElementIntegrals::holders_of(Index node) const {
   std::vector<mesh::ElementPoint> holders;
   for (const auto& [element, local] : node_elements_[node])
     holders.push_back(
         {element, mesh::q8_parametric_nodes()(0, local), mesh::q8_parametric_nodes()(1, local)});
-  fill_row(mesh_.nodes().col(node), holders, green, row);
+  return holders;
+}
+
+void ElementIntegrals::node_row(Index node, const green::GreenTable& green,
+                                Eigen::Ref<VecXcd> row) const {
+  fill_row(mesh_.nodes().col(node), holders_of(node), green, row);
+}
+
+void ElementIntegrals::node_elements(Index node, std::span<const Index> elements,
+                                     const green::GreenTable& green,
+                                     std::span<std::array<Complex, 8>> integrals) const {
+  FLOE_EXPECT(elements.size() == integrals.size());
+  const std::vector<mesh::ElementPoint> holders = holders_of(node);
+  TargetIntegrals target(mesh_, *far_, mesh_.nodes().col(node), holders, green);
+  target.integrate(
+      static_cast<Index>(elements.size()), [&](Index k) { return elements[k]; },
+      [&](Index k, const std::array<Complex, 8>& sum) { integrals[k] = sum; });
 }
 
 void ElementIntegrals::point_row(const Point2& point, const green::GreenTable& green,
@@ -84,53 +171,16 @@ void ElementIntegrals::point_row(const Point2& point, const green::GreenTable& g
   fill_row(target, holders, green, row);
 }
 
-void ElementIntegrals::fill_row(const Point2& target,
-                                const std::vector<mesh::ElementPoint>& holders,
+void ElementIntegrals::fill_row(const Point2& target, std::span<const mesh::ElementPoint> holders,
                                 const green::GreenTable& green, Eigen::Ref<VecXcd> row) const {
   FLOE_EXPECT(row.size() == mesh_.node_count());
-  const FarRules& rules = *far_;
-  const double wavenumber = green.exact().wavenumber();
-  const mesh::Connectivity& connectivity = mesh_.elements();
   row.setZero();
-  QuadraturePoints points;
-  KernelBuffer buffer;
-  const auto add_points = [&](Index element) {
-    std::array<Complex, 8> sum;
-    sum_kernel(target, points.x.data(), points.y.data(), points.weight.data(), points.count(),
-               green, buffer, sum.data());
-    for (int m = 0; m < 8; ++m) row[connectivity(m, element)] += sum[m];
-    points.clear();
-  };
-
-  // Integrate the elements that hold the target
-  for (const mesh::ElementPoint& holder : holders) {
-    add_singular_points(mesh_.element_nodes(holder.element), holder.xi, holder.eta, wavenumber,
-                        green.exact().depth(), points);
-    add_points(holder.element);
-  }
-
-  // Sort all others by the order that they need, near ones subdivided at once
-  std::vector<Batch> batches;
-  for (int tier = 0; tier < FarRules::kTiers; ++tier)
-    batches.emplace_back(target, green, rules, tier);
-  for (Index e = 0; e < mesh_.element_count(); ++e) {
-    bool held = false;
-    for (const mesh::ElementPoint& holder : holders) held = held || holder.element == e;
-    if (held) continue;
-    const double half_edge = rules.half_edge(e);
-    double gap = (rules.centre(e) - target).norm() - rules.radius(e);
-    if (gap < 4.0 * half_edge) gap = distance_to_element(target, mesh_.element_nodes(e));
-    const int tier =
-        std::max(rules.tier_for_gap(gap, half_edge), rules.tier_for_wave(wavenumber, half_edge));
-    if (tier == FarRules::kTooNear) {
-      add_near_points(target, mesh_.element_nodes(e), wavenumber, rules, points);
-      add_points(e);
-      continue;
-    }
-    batches[tier].add(e);
-    if (batches[tier].full()) batches[tier].flush(connectivity, row);
-  }
-  for (Batch& batch : batches) batch.flush(connectivity, row);
+  TargetIntegrals(mesh_, *far_, target, holders, green)
+      .integrate(
+          mesh_.element_count(), [](Index k) { return k; },
+          [&](Index element, const std::array<Complex, 8>& sum) {
+            for (int m = 0; m < 8; ++m) row[mesh_.elements()(m, element)] += sum[m];
+          });
 }
 
 }  // namespace floe::bem

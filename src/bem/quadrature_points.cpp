@@ -28,6 +28,14 @@ FLOE_SIMD_CLONES void fill_distances(const Point2& target, const double* x, cons
   }
 }
 
+FLOE_SIMD_CLONES void scale_values(const double* factor, std::size_t count, Complex* value) {
+  double* v = reinterpret_cast<double*>(value);
+  for (std::size_t p = 0; p < count; ++p) {
+    v[2 * p] *= factor[p];
+    v[2 * p + 1] *= factor[p];
+  }
+}
+
 FLOE_SIMD_CLONES void sum_weighted(const double* weight, const Complex* value, std::size_t count,
                                    Complex* sum) {
   using Double8 = double __attribute__((vector_size(64)));

@@ -38,11 +38,14 @@ void sum_kernel(const Point2& target, const double* x, const double* y, const do
                 std::size_t count, const green::GreenTable& green, KernelBuffer& buffer,
                 Complex* sum);
 
+/// value[p] *= factor[p].
+void scale_values(const double* factor, std::size_t count, Complex* value);
+
 /// Distances |target - (x_p, y_p)| of `count` points.
 void fill_distances(const Point2& target, const double* x, const double* y, std::size_t count,
                     double* distance);
 
-/// sum[m] = Σ_p weight[8p + m] value[p].
+/// sum[m] = Σ_p weight[8p + m] value[p], m = 0 … 7.
 void sum_weighted(const double* weight, const Complex* value, std::size_t count, Complex* sum);
 
 }  // namespace floe::bem

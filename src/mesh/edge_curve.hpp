@@ -1,8 +1,8 @@
 #pragma once
 
-#include "mesh/box_tree.hpp"
 #include "mesh/geometry.hpp"
 
+#include <floe/mesh/box_tree.hpp>
 #include <floe/mesh/q8_mesh.hpp>
 
 namespace floe::mesh {

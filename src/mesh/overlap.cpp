@@ -1,9 +1,10 @@
 #include "mesh/overlap.hpp"
 
-#include "mesh/box_tree.hpp"
 #include "mesh/culprits.hpp"
 #include "mesh/edge_curve.hpp"
 #include "mesh/inverse_map.hpp"
+
+#include <floe/mesh/box_tree.hpp>
 
 #include <array>
 #include <cmath>

@@ -1,7 +1,7 @@
-#include "mesh/box_tree.hpp"
 #include "mesh/edge_curve.hpp"
 #include "mesh/inverse_map.hpp"
 
+#include <floe/mesh/box_tree.hpp>
 #include <floe/mesh/point_locator.hpp>
 
 namespace floe::mesh {

@@ -1,4 +1,4 @@
-#include "mesh/box_tree.hpp"
+#include <floe/mesh/box_tree.hpp>
 
 #include <gtest/gtest.h>
 

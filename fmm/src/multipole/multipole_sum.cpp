@@ -106,6 +106,9 @@ MultipolePlan::~MultipolePlan() = default;
 Index MultipolePlan::source_count() const { return geometry_->tree.sources.cols(); }
 Index MultipolePlan::target_count() const { return geometry_->tree.targets.cols(); }
 double MultipolePlan::reach() const { return std::sqrt(2.0) * geometry_->tree.root_width; }
+std::vector<Index> MultipolePlan::near_sources(Index target) const {
+  return geometry_->near_sources(target);
+}
 double MultipolePlan::memory() const { return geometry_->memory(); }
 
 MultipoleSum::MultipoleSum(std::shared_ptr<const MultipolePlan> plan, const RadialKernel& kernel,
@@ -139,7 +142,7 @@ void MultipoleSum::far_apply(const Eigen::Ref<const MatXcd>& charges,
 }
 
 std::vector<Index> MultipoleSum::near_sources(Index target) const {
-  return plan_->geometry().near_sources(target);
+  return plan_->near_sources(target);
 }
 
 void MultipoleSum::far_values(Index target, std::span<const Index> sources,

@@ -56,4 +56,18 @@ double PfftPlan::max_distance() const {
 
 double PfftPlan::memory() const { return geometry_->memory(); }
 
+std::vector<Index> PfftPlan::near_sources(Index target) const {
+  const pfft::Geometry& geometry = *geometry_;
+  const Index t = geometry.targets.sorted[target];
+  std::vector<Index> sources;
+  pfft::for_near_ranges(geometry.grid, geometry.near, geometry.sources.cell_begin,
+                        geometry.targets.cell_x[t], geometry.targets.cell_y[t],
+                        [&](Index begin, Index end) {
+                          for (Index s = begin; s < end; ++s)
+                            sources.push_back(geometry.sources.original[s]);
+                        });
+  std::sort(sources.begin(), sources.end());
+  return sources;
+}
+
 }  // namespace floe::fmm

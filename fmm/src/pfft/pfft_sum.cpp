@@ -98,19 +98,7 @@ void PfftSum::apply(const Eigen::Ref<const MatXcd>& charges, Eigen::Ref<MatXcd> 
     full->multiply_add(plan_->geometry(), charges, potentials);
 }
 
-std::vector<Index> PfftSum::near_sources(Index target) const {
-  const pfft::Geometry& geometry = plan_->geometry();
-  const Index t = geometry.targets.sorted[target];
-  std::vector<Index> sources;
-  pfft::for_near_ranges(geometry.grid, geometry.near, geometry.sources.cell_begin,
-                        geometry.targets.cell_x[t], geometry.targets.cell_y[t],
-                        [&](Index begin, Index end) {
-                          for (Index s = begin; s < end; ++s)
-                            sources.push_back(geometry.sources.original[s]);
-                        });
-  std::sort(sources.begin(), sources.end());
-  return sources;
-}
+std::vector<Index> PfftSum::near_sources(Index target) const { return plan_->near_sources(target); }
 
 void PfftSum::far_values(Index target, std::span<const Index> sources,
                          std::span<Complex> values) const {

@@ -5,7 +5,9 @@
 #include <floe/mesh/q8_mesh.hpp>
 #include <floe/numeric/types.hpp>
 
+#include <array>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -37,10 +39,15 @@ class ElementIntegrals {
   /// The same at any point [m], on the plate or off it.
   void point_row(const Point2& point, const green::GreenTable& green, Eigen::Ref<VecXcd> row) const;
 
+  /// integrals[k][m] = ∫ G N_m dS over elements[k] alone, as seen from node `node`.
+  void node_elements(Index node, std::span<const Index> elements, const green::GreenTable& green,
+                     std::span<std::array<Complex, 8>> integrals) const;
+
   const mesh::Q8Mesh& mesh() const { return mesh_; }
 
  private:
-  void fill_row(const Point2& target, const std::vector<mesh::ElementPoint>& holders,
+  std::vector<mesh::ElementPoint> holders_of(Index node) const;
+  void fill_row(const Point2& target, std::span<const mesh::ElementPoint> holders,
                 const green::GreenTable& green, Eigen::Ref<VecXcd> row) const;
 
   const mesh::Q8Mesh& mesh_;  // view

@@ -31,6 +31,8 @@ class MultipolePlan {
   Index target_count() const;
   /// Largest distance at which a sum on this plan evaluates its kernel [m]: let a table go so far.
   double reach() const;
+  /// Those of every sum on this plan.
+  std::vector<Index> near_sources(Index target) const;
   double memory() const;  ///< [byte]
   const multipole::Geometry& geometry() const { return *geometry_; }
 

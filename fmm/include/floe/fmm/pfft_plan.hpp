@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <memory>
+#include <vector>
 
 namespace floe::fmm {
 
@@ -56,6 +57,8 @@ class PfftPlan {
   const PfftDesign& design() const;
   /// Largest distance at which a sum evaluates its kernel [m]: tables should reach it.
   double max_distance() const;
+  /// Those of every sum on this plan.
+  std::vector<Index> near_sources(Index target) const;
   const pfft::Geometry& geometry() const { return *geometry_; }
   double memory() const;  ///< [byte]
 

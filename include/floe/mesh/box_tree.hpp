@@ -35,6 +35,9 @@ class BoxTree {
     visit_below(query, levels_.size() - 1, 0, visit);
   }
 
+  /// All boxes in the order of their centres along the Z-curve: neighbours stand close together.
+  const std::vector<Index>& order() const { return order_; }
+
   /// The same indices, ascending.
   std::vector<Index> find(const Box& query) const;
 

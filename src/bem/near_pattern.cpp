@@ -1,0 +1,155 @@
+#include "bem/near_pattern.hpp"
+
+#include "bem/congruence.hpp"
+
+#include <floe/mesh/box_tree.hpp>
+#include <floe/mesh/shape_functions.hpp>
+#include <floe/numeric/error.hpp>
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace floe::bem {
+namespace {
+
+double longest_extent(const Eigen::Matrix<double, 2, 8>& nodes) {
+  double longest =
+      std::max((nodes.col(5) - nodes.col(7)).norm(), (nodes.col(6) - nodes.col(4)).norm());
+  for (int side = 0; side < 4; ++side)
+    longest = std::max(longest, (nodes.col(side) - nodes.col((side + 1) % 4)).norm());
+  return longest;
+}
+
+// Elements near each node by their distance
+std::vector<std::vector<std::int32_t>> elements_within(const mesh::Q8Mesh& mesh,
+                                                       const mesh::BoxTree& nodes, double radius) {
+  std::vector<std::vector<std::int32_t>> near(mesh.node_count());
+  for (Index e = 0; e < mesh.element_count(); ++e) {
+    const auto corners = mesh.element_nodes(e);
+    const Point2 centre = corners * mesh::q8_shape(0.0, 0.0);
+    const double reach = radius * longest_extent(corners);
+    nodes.visit(mesh::box_around(centre, reach), [&](Index node) {
+      if ((mesh.nodes().col(node) - centre).norm() <= reach)
+        near[node].push_back(static_cast<std::int32_t>(e));
+    });
+  }
+  return near;
+}
+
+// Elements that own each source point
+std::vector<std::vector<std::int32_t>> owners_of_nodes(const mesh::Q8Mesh& mesh) {
+  std::vector<std::vector<std::int32_t>> owners(mesh.node_count());
+  for (Index e = 0; e < mesh.element_count(); ++e)
+    for (int m = 0; m < 8; ++m)
+      owners[mesh.elements()(m, e)].push_back(static_cast<std::int32_t>(e));
+  return owners;
+}
+
+void sort_unique(std::vector<std::int32_t>& values) {
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
+}  // namespace
+
+NearPattern::NearPattern(const mesh::Q8Mesh& mesh, const SourceRule& rule, double radius,
+                         const NearSources& near_sources) {
+  find_pairs(mesh, rule, radius, near_sources);
+  number_kinds(mesh);
+  number_entries(mesh);
+}
+
+void NearPattern::find_pairs(const mesh::Q8Mesh& mesh, const SourceRule& rule, double radius,
+                             const NearSources& near_sources) {
+  const Index count = mesh.node_count();
+  std::vector<mesh::Box> boxes;
+  for (Index i = 0; i < count; ++i) boxes.push_back(mesh::box_around(mesh.nodes().col(i), 0.0));
+  const mesh::BoxTree tree(boxes);
+  target_.assign(tree.order().begin(), tree.order().end());
+
+  // Join what is near by distance and what is near for the engine
+  std::vector<std::vector<std::int32_t>> near = elements_within(mesh, tree, radius);
+  const auto owners =
+      rule.at_nodes() ? owners_of_nodes(mesh) : std::vector<std::vector<std::int32_t>>();
+#pragma omp parallel for schedule(dynamic, 64)
+  for (Index i = 0; i < count; ++i) {
+    for (const Index source : near_sources(i)) {
+      if (rule.at_nodes())
+        near[i].insert(near[i].end(), owners[source].begin(), owners[source].end());
+      else
+        near[i].push_back(static_cast<std::int32_t>(source / rule.points_per_element()));
+    }
+    sort_unique(near[i]);
+  }
+
+  pair_begin_.assign(count + 1, 0);
+  for (Index row = 0; row < count; ++row)
+    pair_begin_[row + 1] = pair_begin_[row] + near[target_[row]].size();
+  pair_element_.reserve(pair_begin_.back());
+  for (Index row = 0; row < count; ++row)
+    pair_element_.insert(pair_element_.end(), near[target_[row]].begin(), near[target_[row]].end());
+}
+
+void NearPattern::number_kinds(const mesh::Q8Mesh& mesh) {
+  const ElementClasses classes(mesh);
+  pair_kind_.resize(pair_count());
+  // Where hardly two elements are equal, looking for equal pairs costs more than it saves
+  const bool search = 4 * classes.count() < mesh.element_count();
+  std::unordered_map<PairKey, std::int32_t, PairKeyHash> known;
+  for (Index row = 0; row < rows(); ++row)
+    for (std::size_t k = pair_begin_[row]; k < pair_begin_[row + 1]; ++k) {
+      const auto next = static_cast<std::int32_t>(kinds_.size());
+      const std::int32_t kind =
+          search
+              ? known.try_emplace(classes.key(target_[row], pair_element_[k]), next).first->second
+              : next;
+      if (kind == next) kinds_.push_back({target_[row], pair_element_[k]});
+      pair_kind_[k] = kind;
+    }
+}
+
+void NearPattern::number_entries(const mesh::Q8Mesh& mesh) {
+  // Collect the columns of each row, then of each block
+  std::vector<std::vector<std::int32_t>> row_columns(rows());
+#pragma omp parallel for schedule(dynamic, 64)
+  for (Index row = 0; row < rows(); ++row) {
+    for (std::size_t k = pair_begin_[row]; k < pair_begin_[row + 1]; ++k)
+      for (int m = 0; m < 8; ++m)
+        row_columns[row].push_back(static_cast<std::int32_t>(mesh.elements()(m, pair_element_[k])));
+    sort_unique(row_columns[row]);
+  }
+  entry_begin_.assign(rows() + 1, 0);
+  for (Index row = 0; row < rows(); ++row)
+    entry_begin_[row + 1] = entry_begin_[row] + row_columns[row].size();
+  entry_column_.resize(entry_begin_.back());
+
+  column_begin_.assign(1, 0);
+  for (Index block = 0; block < blocks(); ++block) {
+    std::vector<std::int32_t> columns;
+    const Index first = block * kBlockRows, last = std::min(rows(), first + kBlockRows);
+    for (Index row = first; row < last; ++row)
+      columns.insert(columns.end(), row_columns[row].begin(), row_columns[row].end());
+    sort_unique(columns);
+    FLOE_VALIDATE_AS(BudgetError, columns.size() <= 65536,
+                     "invalid near field = " << columns.size()
+                                             << " nodes near one place (must be at most 65536; "
+                                                "method = fmm refines where nodes are dense)");
+    for (Index row = first; row < last; ++row)
+      for (std::size_t k = 0; k < row_columns[row].size(); ++k)
+        entry_column_[entry_begin_[row] + k] = static_cast<std::uint16_t>(
+            std::lower_bound(columns.begin(), columns.end(), row_columns[row][k]) -
+            columns.begin());
+    columns_.insert(columns_.end(), columns.begin(), columns.end());
+    column_begin_.push_back(columns_.size());
+  }
+}
+
+double NearPattern::memory() const {
+  return 4.0 * static_cast<double>(target_.size() + pair_element_.size() + pair_kind_.size() +
+                                   columns_.size() + 2 * kinds_.size()) +
+         8.0 *
+             static_cast<double>(pair_begin_.size() + entry_begin_.size() + column_begin_.size()) +
+         2.0 * static_cast<double>(entry_column_.size());
+}
+
+}  // namespace floe::bem
