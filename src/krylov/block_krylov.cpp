@@ -5,7 +5,6 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
-#include <Eigen/SVD>
 
 #include <algorithm>
 #include <utility>
@@ -13,10 +12,13 @@
 namespace floe::krylov {
 namespace {
 
+// Parts of residuals below this share of the tolerance are left out
+constexpr double kNegligible = 0.01;
+
 // An orthonormal basis of the directions of a block that its Gram matrix can tell apart, that is of
 // singular values above 1e-4 of the largest after scaling the columns
 MatXcd orthonormal_directions(const MatXcd& block) {
-  MatXcd gram = adjoint_product<Complex>(block, block);
+  MatXcd gram = adjoint_product<Complex>({&block, 1}, block);
   const VecXd scale = gram.diagonal().real().cwiseSqrt().cwiseInverse();
   gram = scale.asDiagonal() * gram * scale.asDiagonal();
   const Eigen::SelfAdjointEigenSolver<MatXcd> eigen(gram);
@@ -27,7 +29,7 @@ MatXcd orthonormal_directions(const MatXcd& block) {
   const MatXcd direction = product(block, combination);
 
   // NOTE: small eigenvalues are known to 1e-16 of the largest only; a second time makes it right
-  const MatXcd again = adjoint_product<Complex>(direction, direction);
+  const MatXcd again = adjoint_product<Complex>({&direction, 1}, direction);
   const MatXcd lower = again.llt().matrixL();
   const MatXcd inverse =
       lower.adjoint().triangularView<Eigen::Upper>().solve(MatXcd::Identity(count, count));
@@ -50,9 +52,15 @@ void append_rows(MatXcd& matrix, Index count) {
 }  // namespace
 
 template <class Scalar>
-BlockKrylov<Scalar>::BlockKrylov(MatXcd residual)
-    : candidate_(residual.rows(), 0), rotation_(0, 0), triangle_(0, 0), rhs_(0, residual.cols()) {
-  rhs_ = absorb(residual, VecXd::Constant(residual.cols(), 0.01));
+BlockKrylov<Scalar>::BlockKrylov(MatXcd residual) : candidate_(residual.rows(), 0) {
+  replace_residual(std::move(residual));
+}
+
+template <class Scalar>
+void BlockKrylov<Scalar>::replace_residual(MatXcd residual) {
+  rhs_ = MatXcd::Zero(rotation_.rows(), residual.cols());
+  const MatXcd coordinates = absorb(residual, VecXd::Constant(residual.cols(), kNegligible));
+  rhs_ = rotation_ * coordinates;
 }
 
 template <class Scalar>
@@ -72,16 +80,17 @@ MatXcd BlockKrylov<Scalar>::choose(double threshold, Index limit) {
   // The residuals' coordinates along the candidates and their principal directions  (S.4)
   const MatXcd part = rotation_.bottomRightCorner(tail, candidates).adjoint() *
                       select_columns(rhs_.bottomRows(tail), open);
-  const Eigen::JacobiSVD<MatXcd, Eigen::FullPivHouseholderQRPreconditioner> svd(
-      part, Eigen::ComputeFullU);
-  const VecXd& value = svd.singularValues();
+  const Eigen::SelfAdjointEigenSolver<MatXcd> eigen(part * part.adjoint());
+  const VecXd value = eigen.eigenvalues().reverse();  // squares, descending
+  const MatXcd direction = eigen.eigenvectors().rowwise().reverse();
   if (!(value[0] > 0.0)) return MatXcd(candidate_.rows(), 0);
-  const Index count = std::min<Index>(
-      limit, (value.array() >= threshold * value[0] && value.array() > 0.0).count());
+  const double least = threshold * threshold * value[0];
+  const Index count =
+      std::min<Index>(limit, (value.array() >= least && value.array() > 0.0).count());
 
   // Turn candidates and coordinates
-  candidate_ = product(candidate_, svd.matrixU());
-  rotation_.rightCols(candidates) *= svd.matrixU();
+  candidate_ = product(candidate_, direction);
+  rotation_.rightCols(candidates) *= direction;
   return candidate_.leftCols(count);
 }
 
@@ -102,18 +111,11 @@ void BlockKrylov<Scalar>::expand(const MatXcd& chosen, MatXcd image) {
 template <class Scalar>
 MatXcd BlockKrylov<Scalar>::project_out(MatXcd& block) const {
   MatXcd coordinates(rotation_.cols(), block.cols());
-  Index first = 0;
-  for (const Tall<Scalar>& v : expanded_block_) {
-    coordinates.middleRows(first, v.cols()) = adjoint_product<Scalar>(v, block);
-    first += v.cols();
-  }
-  coordinates.bottomRows(candidate_.cols()) = adjoint_product<Complex>(candidate_, block);
-  first = 0;
-  for (const Tall<Scalar>& v : expanded_block_) {
-    subtract_product<Scalar>(v, coordinates.middleRows(first, v.cols()), block);
-    first += v.cols();
-  }
-  subtract_product<Complex>(candidate_, coordinates.bottomRows(candidate_.cols()), block);
+  const Index candidates = candidate_.cols();
+  coordinates.topRows(expanded_columns()) = adjoint_product<Scalar>(expanded_block_, block);
+  coordinates.bottomRows(candidates) = adjoint_product<Complex>({&candidate_, 1}, block);
+  subtract_product<Scalar>(expanded_block_, coordinates.topRows(expanded_columns()), block);
+  subtract_product<Complex>({&candidate_, 1}, coordinates.bottomRows(candidates), block);
   return coordinates;
 }
 
@@ -151,8 +153,8 @@ MatXcd BlockKrylov<Scalar>::absorb(MatXcd& block, const VecXd& negligible) {
       if (norms[j] > negligible[j]) active.push_back(j);
     if (active.empty()) break;
     const MatXcd direction = orthonormal_directions(select_columns(block, active));
-    const MatXcd along = adjoint_product<Complex>(direction, block);
-    subtract_product<Complex>(direction, along, block);
+    const MatXcd along = adjoint_product<Complex>({&direction, 1}, block);
+    subtract_product<Complex>({&direction, 1}, along, block);
     append_candidates(direction);
     append_rows(coordinates, direction.cols());
     coordinates.bottomRows(direction.cols()) = along;
@@ -177,15 +179,11 @@ void BlockKrylov<Scalar>::reduce(const MatXcd& coordinates, Index count) {
 }
 
 template <class Scalar>
-MatXcd BlockKrylov<Scalar>::combine(const std::vector<Tall<Scalar>>& blocks) const {
+MatXcd BlockKrylov<Scalar>::combine(Blocks<Scalar> blocks) const {
   MatXcd y = rhs_.topRows(expanded_);
   triangle_.topRows(expanded_).template triangularView<Eigen::Upper>().solveInPlace(y);
   MatXcd sum = MatXcd::Zero(candidate_.rows(), y.cols());
-  Index first = 0;
-  for (const Tall<Scalar>& block : blocks) {
-    subtract_product<Scalar>(block, -y.middleRows(first, block.cols()), sum);
-    first += block.cols();
-  }
+  subtract_product<Scalar>(blocks, -y, sum);
   return sum;
 }
 

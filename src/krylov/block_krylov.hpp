@@ -18,9 +18,12 @@ namespace floe::krylov {
 template <class Scalar>
 class BlockKrylov {
  public:
-  /// Starts with the residuals, which it takes over. Directions in which no residual has more than
-  /// 0.01 are left out.
+  /// Starts with the residuals. Directions in which they have no more than 0.01 are left out.
   explicit BlockKrylov(MatXcd residual);
+
+  /// Goes on with other residuals, and as many as the caller likes: the true ones after x was
+  /// corrected, in which there are no rounding errors of the recurrence.
+  void replace_residual(MatXcd residual);
 
   /// Norm of each column's residual as the recurrence has it.
   VecXd residual_norms() const;
@@ -37,13 +40,14 @@ class BlockKrylov {
   void expand(const MatXcd& chosen, MatXcd image);
 
   /// V y that makes the residuals least, N × columns; `blocks` stand for V, expansion by expansion.
-  MatXcd combine(const std::vector<Tall<Scalar>>& blocks) const;
-  const std::vector<Tall<Scalar>>& blocks() const { return expanded_block_; }
+  MatXcd combine(Blocks<Scalar> blocks) const;
+  Blocks<Scalar> blocks() const { return expanded_block_; }
 
  private:
   MatXcd absorb(MatXcd& block, const VecXd& negligible);
   MatXcd project_out(MatXcd& block) const;
   void append_candidates(const MatXcd& direction);
+  Index expanded_columns() const { return rotation_.cols() - candidate_.cols(); }
   void reduce(const MatXcd& coordinates, Index count);
 
   std::vector<Tall<Scalar>> expanded_block_;  // V, one matrix a step

@@ -51,81 +51,122 @@ Plan plan_memory(Index n, Index columns, const Preconditioner& preconditioner,
   return plan;
 }
 
-// One block of columns; `first` is the number of its first column for messages
+// Solves one block of columns; `first` is the number of its first column, for messages
 class BlockSolve {
  public:
   BlockSolve(const LinearOperator& a, const Preconditioner& preconditioner,
-             const GmresOptions& options, Index directions, GmresReport& report)
+             const GmresOptions& options, Index directions, Index first, GmresReport& report)
       : a_(a),
         preconditioner_(preconditioner),
         options_(options),
         directions_(directions),
+        first_(first),
         report_(report) {}
 
   // Returns the true residuals
-  VecXd solve(const Eigen::Ref<const MatXcd>& b, Eigen::Ref<MatXcd> x, Index first) {
-    const VecXd scale = column_norms(b);
-    FLOE_VALIDATE_AS(ConvergenceError, scale.allFinite(),
-                     "right-hand side of columns " << first + 1 << " … " << first + b.cols()
+  VecXd solve(const Eigen::Ref<const MatXcd>& b, Eigen::Ref<MatXcd> x) {
+    const VecXd norms = column_norms(b);
+    FLOE_VALIDATE_AS(ConvergenceError, norms.allFinite(),
+                     "right-hand side of columns " << first_ + 1 << " … " << first_ + b.cols()
                                                    << " is not finite");
     x.setZero();
-    MatXcd residual = b;
-    VecXd norm = (scale.array() > 0.0).cast<double>();
-    Index steps = 0;
-    while (true) {
-      std::vector<Index> open;
-      for (Index j = 0; j < b.cols(); ++j)
-        if (!(norm[j] <= options_.tolerance)) open.push_back(j);
-      if (open.empty()) return norm;
-      const VecXd before = norm;
-      steps += correct(open, scale, residual, x, options_.max_iterations - steps);
-      check_residuals(open, b, scale, x, residual, norm);
-      require_progress(open, before, norm, steps, first);
+    State state{x, b, norms, (norms.array() > 0.0).cast<double>()};
+    while (!open_columns(state).empty()) {
+      const VecXd before = state.relative;
+      if (options_.basis == GmresOptions::Basis::single_precision)
+        run_cycle<std::complex<float>>(b, state);
+      else
+        run_cycle<Complex>(b, state);
+      require_progress(before, state);
     }
+    return state.relative;
   }
 
  private:
-  // Runs a cycle for the open columns and corrects x; returns the number of steps
-  Index correct(const std::vector<Index>& open, const VecXd& scale, const MatXcd& residual,
-                Eigen::Ref<MatXcd> x, Index steps) {
-    MatXcd scaled(residual.rows(), static_cast<Index>(open.size()));
-    VecXd unit(scaled.cols());
-    for (Index i = 0; i < scaled.cols(); ++i) {
-      const Index j = open[static_cast<std::size_t>(i)];
-      unit[i] = kSafety * options_.tolerance * scale[j];
-      scaled.col(i) = residual.col(j) / unit[i];
-    }
-    ++report_.cycles;
-    return options_.basis == GmresOptions::Basis::single_precision
-               ? cycle<std::complex<float>>(open, unit, std::move(scaled), x, steps)
-               : cycle<Complex>(open, unit, std::move(scaled), x, steps);
+  struct State {
+    Eigen::Ref<MatXcd> x;
+    MatXcd residual;  // true ones
+    VecXd scale;      // ‖b‖
+    VecXd relative;   // ‖residual‖/‖b‖
+  };
+
+  std::vector<Index> open_columns(const State& state) const {
+    std::vector<Index> open;
+    for (Index j = 0; j < state.relative.size(); ++j)
+      if (!(state.relative[j] <= options_.tolerance)) open.push_back(j);
+    return open;
   }
 
+  // In units of what the recurrence is to reach
+  double unit(const State& state, Index column) const {
+    return kSafety * options_.tolerance * state.scale[column];
+  }
+  MatXcd scaled_residual(const State& state, const std::vector<Index>& open) const {
+    MatXcd scaled(state.residual.rows(), static_cast<Index>(open.size()));
+    for (std::size_t i = 0; i < open.size(); ++i)
+      scaled.col(static_cast<Index>(i)) = state.residual.col(open[i]) / unit(state, open[i]);
+    return scaled;
+  }
+
+  // Builds one Krylov space until the columns have converged or the memory is full. When the
+  // recurrence has converged but the true residuals have not, the space goes on with these
   template <class Scalar>
-  Index cycle(const std::vector<Index>& open, const VecXd& unit, MatXcd scaled,
-              Eigen::Ref<MatXcd> x, Index steps) {
-    const bool flexible = preconditioner_.kind == Preconditioner::Kind::flexible;
-    BlockKrylov<Scalar> krylov(std::move(scaled));
+  void run_cycle(const Eigen::Ref<const MatXcd>& b, State& state) {
+    ++report_.cycles;
+    std::vector<Index> open = open_columns(state);
+    BlockKrylov<Scalar> krylov(scaled_residual(state, open));
     std::vector<Tall<Scalar>> kept;
-    Index step = 0;
-    for (; step < steps; ++step) {
-      const MatXcd chosen =
-          krylov.choose(options_.direction_threshold, directions_ - krylov.expanded());
-      if (chosen.cols() == 0) break;
+    while (true) {
+      const VecXd before = state.relative;
+      const bool full = grow(krylov, kept);
+      correct(krylov, kept, open, b, state);
+      open = open_columns(state);
+      const bool progress = (state.relative.array() < 0.5 * before.array()).any();
+      if (open.empty() || full || !progress || steps_ == options_.max_iterations) return;
+      krylov.replace_residual(scaled_residual(state, open));
+    }
+  }
+
+  // Steps until the recurrence has converged (false) or there is no memory for more (true)
+  template <class Scalar>
+  bool grow(BlockKrylov<Scalar>& krylov, std::vector<Tall<Scalar>>& kept) {
+    for (; steps_ < options_.max_iterations; ++steps_, ++report_.iterations) {
+      const Index room = directions_ - krylov.expanded();
+      if (room <= 0) return true;
+      const MatXcd chosen = krylov.choose(options_.direction_threshold, room);
+      if (chosen.cols() == 0) return false;
       const MatXcd preconditioned = precondition(chosen);
       MatXcd image(chosen.rows(), chosen.cols());
       a_.apply(preconditioned, image);
       report_.applications += chosen.cols();
       krylov.expand(chosen, std::move(image));
-      if (flexible) kept.push_back(preconditioned.cast<Scalar>());
+      if (flexible()) kept.push_back(preconditioned.cast<Scalar>());
     }
-    const MatXcd correction =
-        flexible ? krylov.combine(kept) : precondition(krylov.combine(krylov.blocks()));
-    for (Index i = 0; i < correction.cols(); ++i)
-      x.col(open[static_cast<std::size_t>(i)]) += unit[i] * correction.col(i);
-    report_.iterations += step;
-    return step;
+    return true;
   }
+
+  // Corrects x and recomputes the residuals of the open columns
+  template <class Scalar>
+  void correct(const BlockKrylov<Scalar>& krylov, const std::vector<Tall<Scalar>>& kept,
+               const std::vector<Index>& open, const Eigen::Ref<const MatXcd>& b, State& state) {
+    if (krylov.expanded() == 0) return;
+    MatXcd correction =
+        flexible() ? krylov.combine(kept) : precondition(krylov.combine(krylov.blocks()));
+    MatXcd image(correction.rows(), correction.cols());
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      state.x.col(open[i]) += unit(state, open[i]) * correction.col(static_cast<Index>(i));
+      correction.col(static_cast<Index>(i)) = state.x.col(open[i]);
+    }
+    a_.apply(correction, image);
+    report_.applications += correction.cols();
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      const Index j = open[i];
+      state.residual.col(j) = b.col(j) - image.col(static_cast<Index>(i));
+      state.relative[j] = state.residual.col(j).norm() / state.scale[j];
+    }
+  }
+
+  bool flexible() const { return preconditioner_.kind == Preconditioner::Kind::flexible; }
 
   MatXcd precondition(const MatXcd& y) const {
     if (!preconditioner_.action) return y;
@@ -134,37 +175,21 @@ class BlockSolve {
     return z;
   }
 
-  // True residuals of the open columns
-  void check_residuals(const std::vector<Index>& open, const Eigen::Ref<const MatXcd>& b,
-                       const VecXd& scale, const Eigen::Ref<const MatXcd>& x, MatXcd& residual,
-                       VecXd& norm) {
-    MatXcd solution(x.rows(), static_cast<Index>(open.size())), image(x.rows(), solution.cols());
-    for (Index i = 0; i < solution.cols(); ++i)
-      solution.col(i) = x.col(open[static_cast<std::size_t>(i)]);
-    a_.apply(solution, image);
-    report_.applications += solution.cols();
-    for (Index i = 0; i < solution.cols(); ++i) {
-      const Index j = open[static_cast<std::size_t>(i)];
-      residual.col(j) = b.col(j) - image.col(i);
-      norm[j] = residual.col(j).norm() / scale[j];
-    }
-  }
-
-  void require_progress(const std::vector<Index>& open, const VecXd& before, const VecXd& norm,
-                        Index steps, Index first) const {
+  // Throws unless all columns have converged, or some have come nearer and there are steps left
+  void require_progress(const VecXd& before, const State& state) const {
+    const std::vector<Index> open = open_columns(state);
+    if (open.empty()) return;
     Index worst = open.front();
     bool progress = false;
     for (const Index j : open) {
-      if (!(norm[j] <= norm[worst])) worst = j;
-      progress = progress || norm[j] <= kStagnation * before[j];
+      if (!(state.relative[j] <= state.relative[worst])) worst = j;
+      progress = progress || state.relative[j] <= kStagnation * before[j];
     }
-    if (norm[worst] <= options_.tolerance) return;
-    const bool finite = norm.allFinite();
-    FLOE_VALIDATE_AS(ConvergenceError, finite && progress && steps < options_.max_iterations,
+    const bool stagnates = steps_ < options_.max_iterations;
+    FLOE_VALIDATE_AS(ConvergenceError, state.relative.allFinite() && progress && stagnates,
                      "true residual of column "
-                         << first + worst + 1 << " = " << norm[worst] << " after " << steps
-                         << " iterations"
-                         << (finite && steps < options_.max_iterations ? ", stagnating" : "")
+                         << first_ + worst + 1 << " = " << state.relative[worst] << " after "
+                         << steps_ << " iterations" << (stagnates ? ", stagnating" : "")
                          << " (must be at most " << options_.tolerance << ")");
   }
 
@@ -172,7 +197,9 @@ class BlockSolve {
   const Preconditioner& preconditioner_;  // view
   const GmresOptions& options_;           // view
   Index directions_;
+  Index first_;
   GmresReport& report_;  // view
+  Index steps_ = 0;
 };
 
 void check_options(const GmresOptions& options) {
@@ -200,11 +227,11 @@ GmresReport solve_gmres(const LinearOperator& a, const Preconditioner& precondit
   GmresReport report;
   report.block_size = plan.columns;
   report.true_residual = VecXd::Zero(b.cols());
-  BlockSolve block(a, preconditioner, options, plan.directions, report);
   for (Index first = 0; first < b.cols(); first += plan.columns) {
     const Index count = std::min(plan.columns, b.cols() - first);
+    BlockSolve block(a, preconditioner, options, plan.directions, first, report);
     report.true_residual.segment(first, count) =
-        block.solve(b.middleCols(first, count), x.middleCols(first, count), first);
+        block.solve(b.middleCols(first, count), x.middleCols(first, count));
   }
   return report;
 }

@@ -4,7 +4,6 @@
 #include <floe/numeric/error.hpp>
 
 #include <algorithm>
-#include <type_traits>
 #include <vector>
 
 extern "C" {
@@ -60,12 +59,18 @@ void gemm(const char* transa, Index m, Index n, Index k, Complex32 alpha, const 
   cgemm_(transa, "N", &im, &in, &ik, &alpha, a, &ia, b, &ib, &beta, c, &ic);
 }
 
+template <class Scalar>
+Index total_columns(Blocks<Scalar> v) {
+  Index count = 0;
+  for (const Tall<Scalar>& block : v) count += block.cols();
+  return count;
+}
+
 }  // namespace
 
 template <class Scalar>
-MatXcd adjoint_product(const Tall<Scalar>& v, const Eigen::Ref<const MatXcd>& w) {
-  FLOE_EXPECT(v.rows() == w.rows());
-  const Index n = v.rows(), rows = v.cols(), columns = w.cols();
+MatXcd adjoint_product(Blocks<Scalar> v, const Eigen::Ref<const MatXcd>& w) {
+  const Index n = w.rows(), rows = total_columns<Scalar>(v), columns = w.cols();
   if (rows == 0 || columns == 0) return MatXcd::Zero(rows, columns);
   numeric::use_one_blas_thread();
   const Chunks chunks(n);
@@ -75,15 +80,14 @@ MatXcd adjoint_product(const Tall<Scalar>& v, const Eigen::Ref<const MatXcd>& w)
     MatXcd sum = MatXcd::Zero(rows, columns);
     Tall<Scalar> piece, part(rows, columns);
     chunks.for_pieces(chunk, [&](Index first, Index count) {
-      if constexpr (std::is_same_v<Scalar, Complex>) {
-        gemm("C", rows, columns, count, 1.0, v.data() + first, n, w.data() + first, w.outerStride(),
-             1.0, sum.data(), rows);
-      } else {
-        piece = w.middleRows(first, count).template cast<Scalar>();
-        gemm("C", rows, columns, count, 1.0f, v.data() + first, n, piece.data(), count, 0.0f,
-             part.data(), rows);
-        sum += part.template cast<Complex>();
+      piece = w.middleRows(first, count).template cast<Scalar>();
+      Index row = 0;
+      for (const Tall<Scalar>& block : v) {
+        gemm("C", block.cols(), columns, count, Scalar(1), block.data() + first, n, piece.data(),
+             count, Scalar(0), part.data() + row, rows);
+        row += block.cols();
       }
+      sum += part.template cast<Complex>();
     });
     partial[static_cast<std::size_t>(chunk)] = std::move(sum);
   }
@@ -92,9 +96,9 @@ MatXcd adjoint_product(const Tall<Scalar>& v, const Eigen::Ref<const MatXcd>& w)
 }
 
 template <class Scalar>
-void subtract_product(const Tall<Scalar>& v, const MatXcd& c, Eigen::Ref<MatXcd> w) {
-  FLOE_EXPECT(v.rows() == w.rows() && v.cols() == c.rows() && c.cols() == w.cols());
-  const Index n = v.rows(), inner = v.cols(), columns = w.cols();
+void subtract_product(Blocks<Scalar> v, const MatXcd& c, Eigen::Ref<MatXcd> w) {
+  FLOE_EXPECT(total_columns<Scalar>(v) == c.rows() && c.cols() == w.cols());
+  const Index n = w.rows(), inner = c.rows(), columns = w.cols();
   if (inner == 0 || columns == 0) return;
   numeric::use_one_blas_thread();
   const Tall<Scalar> factor = c.template cast<Scalar>();
@@ -103,23 +107,22 @@ void subtract_product(const Tall<Scalar>& v, const MatXcd& c, Eigen::Ref<MatXcd>
   for (Index chunk = 0; chunk < chunks.count(); ++chunk) {
     Tall<Scalar> piece;
     chunks.for_pieces(chunk, [&](Index first, Index count) {
-      if constexpr (std::is_same_v<Scalar, Complex>) {
-        gemm("N", count, columns, inner, -1.0, v.data() + first, n, factor.data(), inner, 1.0,
-             w.data() + first, w.outerStride());
-      } else {
-        piece.resize(count, columns);
-        gemm("N", count, columns, inner, 1.0f, v.data() + first, n, factor.data(), inner, 0.0f,
-             piece.data(), count);
-        w.middleRows(first, count) -= piece.template cast<Complex>();
+      piece.setZero(count, columns);
+      Index row = 0;
+      for (const Tall<Scalar>& block : v) {
+        gemm("N", count, columns, block.cols(), Scalar(1), block.data() + first, n,
+             factor.data() + row, inner, Scalar(1), piece.data(), count);
+        row += block.cols();
       }
+      w.middleRows(first, count) -= piece.template cast<Complex>();
     });
   }
 }
 
-template MatXcd adjoint_product(const Tall<Complex>&, const Eigen::Ref<const MatXcd>&);
-template MatXcd adjoint_product(const Tall<Complex32>&, const Eigen::Ref<const MatXcd>&);
-template void subtract_product(const Tall<Complex>&, const MatXcd&, Eigen::Ref<MatXcd>);
-template void subtract_product(const Tall<Complex32>&, const MatXcd&, Eigen::Ref<MatXcd>);
+template MatXcd adjoint_product(Blocks<Complex>, const Eigen::Ref<const MatXcd>&);
+template MatXcd adjoint_product(Blocks<Complex32>, const Eigen::Ref<const MatXcd>&);
+template void subtract_product(Blocks<Complex>, const MatXcd&, Eigen::Ref<MatXcd>);
+template void subtract_product(Blocks<Complex32>, const MatXcd&, Eigen::Ref<MatXcd>);
 
 MatXcd product(const Eigen::Ref<const MatXcd>& v, const MatXcd& c) {
   FLOE_EXPECT(v.cols() == c.rows());
