@@ -142,7 +142,7 @@ MatXcd BlockKrylov<Scalar>::absorb(MatXcd& block, const VecXd& negligible) {
     if (rotation_.cols() > 0) {
       coordinates += project_out(block);
       const VecXd after = column_norms(block);
-      if ((after.array() < 0.5 * before.array() && after.array() > negligible.array()).any())
+      if ((after.array() < 0.1 * before.array() && after.array() > negligible.array()).any())
         coordinates += project_out(block);
     }
 
