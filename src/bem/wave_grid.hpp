@@ -1,0 +1,20 @@
+#pragma once
+
+#include <floe/fmm/even_spectrum.hpp>
+#include <floe/green/green_function.hpp>
+#include <floe/mesh/q8_mesh.hpp>
+
+namespace floe::bem {
+
+/// Edge of the cells of a grid [m] with so many points a wavelength, but no finer than the nodes of
+/// the mesh nor than `least`. The shorter side of the bounding box is a whole number of cells.
+double grid_step(const mesh::Q8Mesh& mesh, double wavenumber, double points_per_wavelength,
+                 double least);
+
+/// (τ - ν')/τ - 1 with τ = μ tanh μh, ν' = ν(1 + i·damping/(kB)), on the wavenumbers of a grid
+/// (S.5). At μ = 0, where it is infinite, the value at half the grid's smallest wavenumber.
+fmm::EvenSpectrum damped_wave_spectrum(const fmm::PaddedGrid& grid, double step,
+                                       const green::GreenFunction& green, double width,
+                                       double damping);
+
+}  // namespace floe::bem
