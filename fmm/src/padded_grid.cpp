@@ -154,9 +154,15 @@ void PaddedGrid::transform_rows(const InputLattice& input, Complex* rows) const 
     std::fill_n(row.data(), padded_nx_, Complex(0.0, 0.0));
 #pragma omp for schedule(static)
     for (Index j = 0; j < input.ny; ++j) {
-      std::copy_n(input.data + j * input.nx, input.nx, row.data());
+      Complex* const spectrum = rows + j * row_stride();
+      if (!input.rows) {
+        std::copy_n(input.data + j * input.nx, input.nx, row.data());
+      } else if (!input.rows->read(j, row.data())) {
+        std::fill_n(spectrum, padded_nx_, Complex(0.0, 0.0));
+        continue;
+      }
       // NOTE: an out-of-place plan keeps its input, but for c2r; the zeros behind stay
-      plans_->forward_x.execute(row.data(), rows + j * row_stride());
+      plans_->forward_x.execute(row.data(), spectrum);
     }
   }
 }
@@ -168,7 +174,10 @@ void PaddedGrid::restore_rows(const Complex* rows, const OutputLattice& output) 
 #pragma omp for schedule(static)
     for (Index j = 0; j < output.ny; ++j) {
       plans_->backward_x.execute(const_cast<Complex*>(rows + j * row_stride()), row.data());
-      std::copy_n(row.data(), output.nx, output.data + j * output.nx);
+      if (output.rows)
+        output.rows->write(j, row.data());
+      else
+        std::copy_n(row.data(), output.nx, output.data + j * output.nx);
     }
   }
 }
@@ -187,44 +196,47 @@ void PaddedGrid::transform_columns(std::span<const InputLattice> inputs,
       (k < inputs.size() ? in : out).push_back(plane + size * static_cast<Index>(k + 1));
 
 #pragma omp for schedule(static)
-    for (Index task = 0; task < 2 * block_count(); ++task) {
-      const Index number = task / 2;
-      const SpectralBlock block{number, number * kBlock, task % 2 == 0 ? 1 : -1};
+    for (Index number = 0; number < block_count(); ++number)
+      for (const int sign : {1, -1}) {
+        const SpectralBlock block{number, number * kBlock, sign};
 
-      // Transform the inputs' columns
-      for (std::size_t k = 0; k < inputs.size(); ++k) {
-        gather(rows[k], row_stride(), inputs[k].ny, block, padded_nx_, padded_ny_, plane);
-        if (inputs[k].half_x)
-          multiply_columns(plane, inputs[k].ny, ColumnPhases(block, padded_nx_, -1));
-        plans_->forward_y.execute(plane, in[k]);
-        if (inputs[k].half_y) multiply_rows(in[k], plans_->phase_y, padded_ny_, -1);
+        // Transform the inputs' columns
+        for (std::size_t k = 0; k < inputs.size(); ++k) {
+          gather(rows[k], row_stride(), inputs[k].ny, block, padded_nx_, padded_ny_, plane);
+          if (inputs[k].half_x)
+            multiply_columns(plane, inputs[k].ny, ColumnPhases(block, padded_nx_, -1));
+          plans_->forward_y.execute(plane, in[k]);
+          if (inputs[k].half_y) multiply_rows(in[k], plans_->phase_y, padded_ny_, -1);
+        }
+
+        filter.filter(block, {in.data(), in.size()}, out);
+
+        // Transform the outputs' columns back
+        for (std::size_t k = 0; k < outputs.size(); ++k) {
+          if (outputs[k].half_y) multiply_rows(out[k], plans_->phase_y, padded_ny_, 1);
+          plans_->backward_y.execute(out[k], plane);
+          if (outputs[k].half_x)
+            multiply_columns(plane, outputs[k].ny, ColumnPhases(block, padded_nx_, 1));
+          scatter(plane, row_stride(), outputs[k].ny, block, padded_nx_, rows[k]);
+        }
       }
-
-      filter.filter(block, {in.data(), in.size()}, out);
-
-      // Transform the outputs' columns back
-      for (std::size_t k = 0; k < outputs.size(); ++k) {
-        if (outputs[k].half_y) multiply_rows(out[k], plans_->phase_y, padded_ny_, 1);
-        plans_->backward_y.execute(out[k], plane);
-        if (outputs[k].half_x)
-          multiply_columns(plane, outputs[k].ny, ColumnPhases(block, padded_nx_, 1));
-        scatter(plane, row_stride(), outputs[k].ny, block, padded_nx_, rows[k]);
-      }
-    }
   }
 }
 
 void PaddedGrid::apply(std::span<const InputLattice> inputs, std::span<const OutputLattice> outputs,
                        const SpectralFilter& filter, Workspace* workspace) const {
   [[maybe_unused]] const auto fits = [this](const auto& lattice) {
-    return lattice.nx <= nx_ && lattice.ny <= ny_;
+    return lattice.nx <= padded_nx_ && lattice.ny <= padded_ny_;
   };
   FLOE_EXPECT(std::all_of(inputs.begin(), inputs.end(), fits));
   FLOE_EXPECT(std::all_of(outputs.begin(), outputs.end(), fits));
 
   // Lay out the row spectra; a lattice that goes in shares its rows with one that comes out
   const std::size_t count = std::max(inputs.size(), outputs.size());
-  const Index size = ny_ * row_stride() + 8;
+  Index row_count = 0;
+  for (const auto& input : inputs) row_count = std::max(row_count, input.ny);
+  for (const auto& output : outputs) row_count = std::max(row_count, output.ny);
+  const Index size = row_count * row_stride() + 8;
   Workspace own;
   Workspace& memory = workspace ? *workspace : own;
   if (memory.size() < count * static_cast<std::size_t>(size))

@@ -53,7 +53,10 @@ std::vector<Outline> outlines() {
       {"one element", lattice_mesh(1, 1, [](int, int) { return true; })},
       {"L", lattice_mesh(8, 7, [](int i, int j) { return i < 3 || j < 2; })},
       {"hole", lattice_mesh(8, 7, [](int i, int j) { return i < 2 || i > 4 || j < 2 || j > 4; })},
-      {"two plates", lattice_mesh(11, 4, [](int i, int) { return i < 4 || i > 6; })}};
+      {"two plates", lattice_mesh(11, 4, [](int i, int) { return i < 4 || i > 6; })},
+      {"frame one element wide",
+       lattice_mesh(6, 9, [](int i, int j) { return i == 0 || i == 5 || j == 0 || j == 4; })},
+      {"lone elements", lattice_mesh(5, 3, [](int i, int j) { return i % 2 + j % 2 == 0; })}};
 }
 
 // Holds the lattice operator, its element integrals to each tolerance, against the dense one
@@ -76,6 +79,14 @@ void expect_twins(const Outline& outline, double depth, const std::vector<double
 TEST(twin_LatticePressureOperator, EqualsTheDenseOperatorOnEveryOutline) {
   // With the same integrals, 1e-12, what remains is rounding
   for (const Outline& outline : outlines()) expect_twins(outline, 10.0, {1e-3, 1e-5, 1e-7, 1e-12});
+}
+
+TEST(twin_LatticePressureOperator, EqualsTheDenseOperatorOnOutlinesWithManySteps) {
+  // More steps than the outline may have lines: all sources are transformed as lattices
+  expect_twins({"stairs", lattice_mesh(20, 20, [](int i, int j) { return i == j || i == j + 1; })},
+               10.0, {1e-7, 1e-12});
+  expect_twins({"comb", lattice_mesh(3, 19, [](int i, int j) { return i == 0 || j % 2 == 0; })},
+               10.0, {1e-7, 1e-12});
 }
 
 TEST(twin_LatticePressureOperator, EqualsTheDenseOperatorAtEveryDepth) {

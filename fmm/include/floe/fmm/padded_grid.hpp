@@ -11,17 +11,32 @@ namespace floe::fmm {
 /// Smallest length ≥ `length` of the form 2^a 3^b 5^c 7^d (d ≤ 1), even.
 Index fast_fft_length(Index length);
 
-/// Complex data on a lattice of nx × ny points, x fastest: value (i, j) at data[i + nx·j]. Its
-/// points lie at (i + half_x/2, j + half_y/2) steps, so that lattices shifted by half a step can be
-/// coupled. A view: the caller keeps the data.
-template <class Value>
+/// Values of a lattice that do not lie side by side, handed over row by row; must be thread-safe.
+class RowReader {
+ public:
+  virtual ~RowReader() = default;
+  /// Fills the nx values of row j; returns false, and need not fill them, where all are zero.
+  virtual bool read(Index j, Complex* row) const = 0;
+};
+class RowWriter {
+ public:
+  virtual ~RowWriter() = default;
+  /// Takes the nx values of row j.
+  virtual void write(Index j, const Complex* row) const = 0;
+};
+
+/// Complex data on a lattice of nx × ny points, x fastest: value (i, j) at data[i + nx·j], or where
+/// `rows` says. Its points lie at (i + half_x/2, j + half_y/2) steps, so that lattices shifted by
+/// half a step can be coupled. A view: the caller keeps the data.
+template <class Value, class Rows>
 struct LatticeView {
   Value* data;
   Index nx, ny;
   bool half_x = false, half_y = false;
+  const Rows* rows = nullptr;  ///< view; instead of `data`
 };
-using InputLattice = LatticeView<const Complex>;
-using OutputLattice = LatticeView<Complex>;
+using InputLattice = LatticeView<const Complex, RowReader>;
+using OutputLattice = LatticeView<Complex, RowWriter>;
 
 /// A piece of the spectrum: columns of kSpectralBlock wavenumbers in x by all in y. Element
 /// (n, c), at n·kSpectralBlock + c, has the wavenumber numbers
@@ -40,7 +55,8 @@ class SpectralFilter {
  public:
   virtual ~SpectralFilter() = default;
 
-  /// Fills every output's block from the inputs' blocks, padded_ny() × kSpectralBlock each.
+  /// Fills every output's block from the inputs' blocks, padded_ny() × kSpectralBlock each. The
+  /// thread that filters a block of positive sign filters the negative one next.
   virtual void filter(const SpectralBlock& block, std::span<const Complex* const> inputs,
                       std::span<Complex* const> outputs) const = 0;
 };
@@ -52,7 +68,8 @@ class EvenSpectrum;
 /// Zero-padded 2-D FFT on the plane, pruned and fused (F.4): x-transforms of non-zero rows only,
 /// then for few columns at a time, which stay in cache, y-transform, filter, inverse y-transform,
 /// and inverse x-transforms of the rows that are wanted. The full spectrum is never stored.
-/// Convolutions are linear (nothing wraps around) for lattices up to nx × ny. Execution is const,
+/// Convolutions are linear (nothing wraps around) for lattices up to nx × ny; larger ones, up to
+/// the padded size, serve to find the spectrum of a kernel. Execution is const,
 /// thread-safe, parallel over rows and columns, and has the same bits for any number of threads.
 /// Put the long side on x.
 class PaddedGrid {
