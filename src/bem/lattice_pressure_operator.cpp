@@ -110,8 +110,8 @@ class ColumnFilter final : public fmm::SpectralFilter {
   /// Sources that are transformed as lattices.
   const std::vector<int>& whole() const { return whole_; }
 
-  void filter(const fmm::SpectralBlock& block, std::span<const Complex* const> inputs,
-              std::span<Complex* const> outputs) const override {
+  void filter(const fmm::SpectralBlock& block, std::span<const double* const> inputs,
+              std::span<double* const> outputs) const override {
     LatticeTables::BlockSources sources;
     for (int p = 0; p < kSources; ++p) {
       const LineProducts& products = products_[p];

@@ -14,10 +14,13 @@ namespace {
 using Local = ElementLattice::Local;
 
 constexpr Index kBlock = fmm::kSpectralBlock;
-constexpr Index kRow = kSources * kNodeLattices * kBlock;  // values a bin
+constexpr Index kRow = kSources * kNodeLattices * 2 * kBlock;  // doubles a bin
 
-Complex* row_of(Complex* bin, int source, int target) {
-  return bin + (source * kNodeLattices + target) * kBlock;
+// A value of a bin, or of an element of a block: kBlock real parts, then kBlock imaginary parts
+Complex get(const double* at) { return {at[0], at[kBlock]}; }
+void set(double* at, Complex value) {
+  at[0] = value.real();
+  at[kBlock] = value.imag();
 }
 
 // What the element to the upper right of a source node contributes, seen from the node: a kernel at
@@ -80,17 +83,17 @@ class SideKernel final : public fmm::RowReader {
 // of even and odd sums over the sides
 class SpectrumWriter final : public fmm::SpectralFilter {
  public:
-  SpectrumWriter(const fmm::PaddedGrid& grid, double factor, int target, Complex* spectrum)
+  SpectrumWriter(const fmm::PaddedGrid& grid, double factor, int target, double* spectrum)
       : padded_nx_(grid.padded_nx()),
         padded_ny_(grid.padded_ny()),
         norm_(factor / static_cast<double>(padded_nx_ * padded_ny_)),
         target_(target),
         spectrum_(spectrum) {}
 
-  void filter(const fmm::SpectralBlock& block, std::span<const Complex* const> inputs,
-              std::span<Complex* const>) const override {
+  void filter(const fmm::SpectralBlock& block, std::span<const double* const> inputs,
+              std::span<double* const>) const override {
     for (Index n = 0; n <= padded_ny_ / 2; ++n) {
-      Complex* const bin = spectrum_ + (block.number * (padded_ny_ / 2 + 1) + n) * kRow;
+      double* const bin = spectrum_ + (block.number * (padded_ny_ / 2 + 1) + n) * kRow;
       for (Index c = 0; c < kBlock; ++c) {
         const Index m = block.first + c;
         for (int s = 0; s < kNodeLattices; ++s) {
@@ -111,104 +114,109 @@ class SpectrumWriter final : public fmm::SpectralFilter {
     if (lattice == kVerticalSides) return negative_x ? 7 : 2;
     return negative_y ? (negative_x ? 5 : 4) : (negative_x ? 3 : 0);
   }
-  Complex& at(Complex* bin, int lattice, bool negative_x, bool negative_y, Index c) const {
-    return row_of(bin, place(lattice, negative_x, negative_y), target_)[c];
+  double* at(double* bin, int source, Index c) const {
+    return bin + (source * kNodeLattices + target_) * 2 * kBlock + c;
   }
 
   // NOTE: at the highest wavenumber both signs share a bin, but a half step turns their phases
   // opposite ways
-  void store_signs_of_y(const Complex* input, int sign, int lattice, Index n, Index c,
-                        Complex* bin) const {
+  void store_signs_of_y(const double* input, int sign, int lattice, Index n, Index c,
+                        double* bin) const {
     const bool left = sign < 0;
     if (left && lattice == kHorizontalSides) return;
-    at(bin, lattice, left, false, c) = input[n * kBlock + c];
+    set(at(bin, place(lattice, left, false), c), get(input + 2 * n * kBlock + c));
     if (lattice == kVerticalSides) return;
     const bool turned = 2 * n == padded_ny_ && kHalfY[lattice] != kHalfY[target_];
-    const Complex mirrored = input[(padded_ny_ - n) % padded_ny_ * kBlock + c];
-    at(bin, lattice, left, true, c) = turned ? -mirrored : mirrored;
+    const Complex mirrored = get(input + 2 * ((padded_ny_ - n) % padded_ny_) * kBlock + c);
+    set(at(bin, place(lattice, left, true), c), turned ? -mirrored : mirrored);
   }
-  void mirror_in_x(int lattice, Index m, Index c, Complex* bin) const {
+  void mirror_in_x(int lattice, Index m, Index c, double* bin) const {
     if (lattice == kHorizontalSides) return;
     const bool turned = 2 * m == padded_nx_ && kHalfX[lattice] != kHalfX[target_];
     for (const bool below : {false, true}) {
       if (below && lattice == kVerticalSides) continue;
-      const Complex value = at(bin, lattice, false, below, c);
-      at(bin, lattice, true, below, c) = turned ? -value : value;
+      const Complex value = get(at(bin, place(lattice, false, below), c));
+      set(at(bin, place(lattice, true, below), c), turned ? -value : value);
     }
   }
 
   // Sums over the sides, with the signs of x and y where odd
-  void combine(Complex* bin, Index c) const {
-    Complex value[kSources];
-    for (int p = 0; p < kSources; ++p) value[p] = norm_ * row_of(bin, p, target_)[c];
-    const auto set = [&](int p, Complex sum) { row_of(bin, p, target_)[c] = sum; };
-    set(0, value[0] + value[3] + value[4] + value[5]);
-    set(3, value[0] - value[3] + value[4] - value[5]);
-    set(4, value[0] + value[3] - value[4] - value[5]);
-    set(5, value[0] - value[3] - value[4] + value[5]);
-    set(1, value[1] + value[6]);
-    set(6, value[1] - value[6]);
-    set(2, value[2] + value[7]);
-    set(7, value[2] - value[7]);
+  void combine(double* bin, Index c) const {
+    Complex side[kSources];
+    for (int p = 0; p < kSources; ++p) side[p] = norm_ * get(at(bin, p, c));
+    set(at(bin, 0, c), side[0] + side[3] + side[4] + side[5]);
+    set(at(bin, 3, c), side[0] - side[3] + side[4] - side[5]);
+    set(at(bin, 4, c), side[0] + side[3] - side[4] - side[5]);
+    set(at(bin, 5, c), side[0] - side[3] - side[4] + side[5]);
+    set(at(bin, 1, c), side[1] + side[6]);
+    set(at(bin, 6, c), side[1] - side[6]);
+    set(at(bin, 2, c), side[2] + side[7]);
+    set(at(bin, 7, c), side[2] - side[7]);
   }
 
   Index padded_nx_, padded_ny_;
   double norm_;
   int target_;
-  Complex* spectrum_;  // view
+  double* spectrum_;  // view
 };
 
-// kSpectralBlock complex values
-using Double8 = double __attribute__((vector_size(64)));
+using Vector = double __attribute__((vector_size(8 * kBlock)));
 
-inline void load(const Complex* from, Double8& to) { __builtin_memcpy(&to, from, sizeof(to)); }
+// kBlock complex values
+struct Element {
+  Vector re, im;
+};
+[[gnu::always_inline]] inline void load(const double* from, Element& to) {
+  __builtin_memcpy(&to.re, from, sizeof(Vector));
+  __builtin_memcpy(&to.im, from + kBlock, sizeof(Vector));
+}
+[[gnu::always_inline]] inline void multiply_add(const Element& a, const Element& b, Element& sum) {
+  sum.re += a.re * b.re - a.im * b.im;
+  sum.im += a.re * b.im + a.im * b.re;
+}
 
 // The source's spectrum in one row of a block
-inline void load_source(const LatticeTables::BlockSource& source, double sign, Index n,
-                        Double8& value) {
+[[gnu::always_inline]] inline void load_source(const LatticeTables::BlockSource& source,
+                                               double sign, Index n, Element& value) {
   if (source.values) {
-    load(source.values + n * kBlock, value);
-    value *= sign;
+    load(source.values + 2 * n * kBlock, value);
+    value.re *= sign;
+    value.im *= sign;
     return;
   }
-  value = Double8{};
+  value = Element{};
   for (Index t = 0; t < source.count; ++t) {
-    Double8 u, iu;
+    Element u;
     load(source.u + t * 2 * kBlock, u);
-    load(source.u + t * 2 * kBlock + kBlock, iu);
-    const Complex v = source.v[n * source.count + t];
-    value += v.real() * u + v.imag() * iu;
+    const double re = source.v[n * source.count + t].real();
+    const double im = source.v[n * source.count + t].imag();
+    value.re += re * u.re - im * u.im;
+    value.im += re * u.im + im * u.re;
   }
 }
 
-inline void multiply_row(const Complex* table, const double* sign,
-                         const LatticeTables::BlockSources& sources, Index n,
-                         Complex* const* outputs) {
-  // Σ K Re S and Σ K Im S: turning the latter by i is left to the end
-  Double8 by_re[kNodeLattices] = {}, by_im[kNodeLattices] = {};
+[[gnu::always_inline]] inline void multiply_row(const double* table, const double* sign,
+                                                const LatticeTables::BlockSources& sources, Index n,
+                                                double* const* outputs) {
+  Element sum[kNodeLattices] = {};
   for (int p = 0; p < kSources; ++p) {
-    Double8 s;
-    load_source(sources[p], sign[p], n, s);
-    const Double8 re = __builtin_shufflevector(s, s, 0, 0, 2, 2, 4, 4, 6, 6);
-    const Double8 im = __builtin_shufflevector(s, s, 1, 1, 3, 3, 5, 5, 7, 7);
+    Element source;
+    load_source(sources[p], sign[p], n, source);
     for (int a = 0; a < kNodeLattices; ++a) {
-      Double8 k;
-      load(table + (p * kNodeLattices + a) * kBlock, k);
-      by_re[a] += k * re;
-      by_im[a] += k * im;
+      Element kernel;
+      load(table + (p * kNodeLattices + a) * 2 * kBlock, kernel);
+      multiply_add(kernel, source, sum[a]);
     }
   }
-  constexpr Double8 kTurn{-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, -1.0, 1.0};
   for (int a = 0; a < kNodeLattices; ++a) {
-    const Double8 turned = __builtin_shufflevector(by_im[a], by_im[a], 1, 0, 3, 2, 5, 4, 7, 6);
-    const Double8 sum = by_re[a] + kTurn * turned;
-    __builtin_memcpy(reinterpret_cast<double*>(outputs[a] + n * kBlock), &sum, sizeof(sum));
+    __builtin_memcpy(outputs[a] + 2 * n * kBlock, &sum[a].re, sizeof(Vector));
+    __builtin_memcpy(outputs[a] + (2 * n + 1) * kBlock, &sum[a].im, sizeof(Vector));
   }
 }
 
-FLOE_SIMD_CLONES void multiply_block(const Complex* table, Index padded_ny, bool negative_x,
+FLOE_SIMD_CLONES void multiply_block(const double* table, Index padded_ny, bool negative_x,
                                      const LatticeTables::BlockSources& sources,
-                                     Complex* const* outputs) {
+                                     double* const* outputs) {
   double above[kSources], below[kSources];
   for (int p = 0; p < kSources; ++p) {
     above[p] = kSource[p].odd_x && negative_x ? -1.0 : 1.0;
@@ -243,8 +251,8 @@ LatticeTables::LatticeTables(const LatticePlan& plan, const green::GreenTable& g
 }
 
 void LatticeTables::multiply(const fmm::SpectralBlock& block, const BlockSources& sources,
-                             Complex* const* outputs) const {
-  const Complex* const table = spectrum_.data() + block.number * (padded_ny_ / 2 + 1) * kRow;
+                             double* const* outputs) const {
+  const double* const table = spectrum_.data() + block.number * (padded_ny_ / 2 + 1) * kRow;
   multiply_block(table, padded_ny_, block.sign < 0, sources, outputs);
 }
 

@@ -19,24 +19,24 @@ class LatticeTables {
 
   /// The spectrum of a source on one spectral block: as a whole, or as products.
   struct BlockSource {
-    const Complex* values = nullptr;  ///< where not null; without the signs of odd kernels
-    Index count = 0;                  ///< products
-    const Complex* u = nullptr;       ///< of this block and sign, see LineProducts
+    const double* values = nullptr;  ///< where not null; without the signs of odd kernels
+    Index count = 0;                 ///< products
+    const double* u = nullptr;       ///< of this block and sign, see LineProducts
     const Complex* v = nullptr;
   };
   using BlockSources = std::array<BlockSource, kSources>;
 
   /// outputs[a] = Σ_p K̂_ap Ŝ_p on one block.
   void multiply(const fmm::SpectralBlock& block, const BlockSources& sources,
-                Complex* const* outputs) const;
+                double* const* outputs) const;
 
-  double memory() const { return 16.0 * static_cast<double>(spectrum_.size()); }  ///< [byte]
+  double memory() const { return 8.0 * static_cast<double>(spectrum_.size()); }  ///< [byte]
 
  private:
   Index padded_ny_;
   /// For each block of x wavenumbers, each bin 0 … padded_ny/2: source, target, kSpectralBlock
-  /// values.
-  std::vector<Complex> spectrum_;
+  /// real, then imaginary parts.
+  std::vector<double> spectrum_;
 };
 
 }  // namespace floe::bem

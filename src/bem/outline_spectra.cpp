@@ -35,19 +35,20 @@ std::vector<Complex> phases_across(const OutlineNodes& outline, const AxisTransf
 }
 
 // Orders factors in x by spectral blocks
-std::vector<Complex> pack_blocks(const std::vector<Complex>& factor, Index count, Index length,
-                                 bool odd) {
+std::vector<double> pack_blocks(const std::vector<Complex>& factor, Index count, Index length,
+                                bool odd) {
   const Index blocks = length / 2 / kBlock + 1;
-  std::vector<Complex> packed(static_cast<std::size_t>(2 * blocks * count * 2 * kBlock));
+  std::vector<double> packed(static_cast<std::size_t>(2 * blocks * count * 2 * kBlock));
   for (Index task = 0; task < 2 * blocks; ++task)
     for (Index t = 0; t < count; ++t)
       for (Index c = 0; c < kBlock; ++c) {
         const bool negative = task % 2 == 1;
         const Index m = (task / 2 * kBlock + c) % length;
         const Complex value = factor[t * length + (negative ? (length - m) % length : m)];
-        Complex* const at = packed.data() + (task * count + t) * 2 * kBlock + c;
-        at[0] = odd && negative ? -value : value;
-        at[kBlock] = Complex(-at[0].imag(), at[0].real());
+        const double sign = odd && negative ? -1.0 : 1.0;
+        double* const at = packed.data() + (task * count + t) * 2 * kBlock + c;
+        at[0] = sign * value.real();
+        at[kBlock] = sign * value.imag();
       }
   return packed;
 }

@@ -36,8 +36,8 @@ class AxisTransform {
 struct LineProducts {
   Index count = 0;
   /// For each block of x wavenumbers, its positive and negative sign, each term: kSpectralBlock
-  /// values u, then i u.
-  std::vector<Complex> u;
+  /// real, then imaginary parts.
+  std::vector<double> u;
   std::vector<Complex> v;  ///< at bin·count + t
 };
 
