@@ -185,6 +185,14 @@ PaddedGrid& PaddedGrid::operator=(PaddedGrid&&) noexcept = default;
 
 Index PaddedGrid::block_count() const { return padded_nx_ / 2 / kBlock + 1; }
 
+double* PaddedGrid::Workspace::reserve(Index count) {
+  if (count > count_) {
+    buffer_ = FftBuffer(count / 2 + 1);
+    count_ = count;
+  }
+  return reals(buffer_);
+}
+
 void PaddedGrid::transform_rows(const InputLattice& input, double* groups) const {
   const ColumnFft& fft = plans_->x;
 #pragma omp parallel
@@ -287,15 +295,12 @@ void PaddedGrid::apply(std::span<const InputLattice> inputs, std::span<const Out
   Index row_count = 0;
   for (const auto& input : inputs) row_count = std::max(row_count, input.ny);
   for (const auto& output : outputs) row_count = std::max(row_count, output.ny);
-  const auto size = static_cast<std::size_t>(group_count(row_count) * group_stride(padded_nx_));
-  const std::size_t count = std::max(inputs.size(), outputs.size());
+  const Index size = group_count(row_count) * group_stride(padded_nx_);
+  const auto count = static_cast<Index>(std::max(inputs.size(), outputs.size()));
   Workspace own;
-  Workspace& memory = workspace ? *workspace : own;
-  if (memory.size() < count * size / 2 + 4) memory.resize(count * size / 2 + 4);
-  const auto misfit = reinterpret_cast<std::uintptr_t>(memory.data()) % 64 / sizeof(Complex);
-  double* const first = reinterpret_cast<double*>(memory.data() + (4 - misfit) % 4);
+  double* const memory = (workspace ? *workspace : own).reserve(count * size);
   std::vector<double*> groups;
-  for (std::size_t k = 0; k < count; ++k) groups.push_back(first + k * size);
+  for (Index k = 0; k < count; ++k) groups.push_back(memory + k * size);
 
   for (std::size_t k = 0; k < inputs.size(); ++k) transform_rows(inputs[k], groups[k]);
   transform_columns(inputs, outputs, filter, groups);

@@ -171,8 +171,10 @@ struct Element {
   __builtin_memcpy(&to.im, from + kBlock, sizeof(Vector));
 }
 [[gnu::always_inline]] inline void multiply_add(const Element& a, const Element& b, Element& sum) {
-  sum.re += a.re * b.re - a.im * b.im;
-  sum.im += a.re * b.im + a.im * b.re;
+  sum.re += a.re * b.re;
+  sum.im += a.re * b.im;
+  sum.re -= a.im * b.im;
+  sum.im += a.im * b.re;
 }
 
 // The source's spectrum in one row of a block
@@ -190,8 +192,10 @@ struct Element {
     load(source.u + t * 2 * kBlock, u);
     const double re = source.v[n * source.count + t].real();
     const double im = source.v[n * source.count + t].imag();
-    value.re += re * u.re - im * u.im;
-    value.im += re * u.im + im * u.re;
+    value.re += re * u.re;
+    value.im += re * u.im;
+    value.re -= im * u.im;
+    value.im += im * u.re;
   }
 }
 
@@ -223,6 +227,10 @@ FLOE_SIMD_CLONES void multiply_block(const double* table, Index padded_ny, bool 
     below[p] = kSource[p].odd_y ? -above[p] : above[p];
   }
   for (Index n = 0; n <= padded_ny / 2; ++n) {
+    // The second sign finds the table in the cache: fetch the next block's meanwhile
+    if (negative_x)
+      for (Index k = 0; k < kRow; k += 8)
+        __builtin_prefetch(table + (padded_ny / 2 + 1 + n) * kRow + k, 0, 2);
     multiply_row(table + n * kRow, above, sources, n, outputs);
     if (n != 0 && 2 * n != padded_ny)
       multiply_row(table + n * kRow, below, sources, padded_ny - n, outputs);

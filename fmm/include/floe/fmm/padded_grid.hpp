@@ -1,10 +1,10 @@
 #pragma once
 
+#include <floe/fmm/fft_plan.hpp>
 #include <floe/numeric/types.hpp>
 
 #include <memory>
 #include <span>
-#include <vector>
 
 namespace floe::fmm {
 
@@ -93,7 +93,15 @@ class PaddedGrid {
   /// are taken out of inputs before the filter and put into outputs after it, so that an even
   /// kernel has a real-symmetric, quarter-stored spectrum whatever the shifts. `workspace` (any
   /// object of the caller's, one a thread that calls) keeps memory between calls.
-  using Workspace = std::vector<Complex>;
+  class Workspace {
+   public:
+    /// Memory for `count` doubles, aligned to cache lines; what it held is lost.
+    double* reserve(Index count);
+
+   private:
+    FftBuffer buffer_{0};
+    Index count_ = 0;
+  };
   void apply(std::span<const InputLattice> inputs, std::span<const OutputLattice> outputs,
              const SpectralFilter& filter, Workspace* workspace = nullptr) const;
 
