@@ -1,6 +1,7 @@
 #include "padded_grid_plans.hpp"
 
 #include <floe/fmm/even_spectrum.hpp>
+#include <floe/fmm/fft_plan.hpp>
 #include <floe/numeric/simd.hpp>
 
 #include <algorithm>
@@ -15,11 +16,11 @@ constexpr Index kBlock = kSpectralBlock;
 // output = (Add ? output : 0) + value · input for one row of a block
 template <bool Add>
 inline void multiply_row(const double* value, const double* input, double* output) {
-  for (Index c = 0; c < 2 * kBlock; c += 2) {
-    const double re = value[c] * input[c] - value[c + 1] * input[c + 1];
-    const double im = value[c] * input[c + 1] + value[c + 1] * input[c];
+  for (Index c = 0; c < kBlock; ++c) {
+    const double re = value[c] * input[c] - value[kBlock + c] * input[kBlock + c];
+    const double im = value[c] * input[kBlock + c] + value[kBlock + c] * input[c];
     output[c] = Add ? output[c] + re : re;
-    output[c + 1] = Add ? output[c + 1] + im : im;
+    output[kBlock + c] = Add ? output[kBlock + c] + im : im;
   }
 }
 
@@ -81,15 +82,12 @@ class EvenTransform {
   FftBuffer buffer_;
 };
 
-const double* reals(const Complex* value) { return reinterpret_cast<const double*>(value); }
-double* reals(Complex* value) { return reinterpret_cast<double*>(value); }
-
 }  // namespace
 
 EvenSpectrum::EvenSpectrum(const PaddedGrid& grid)
     : padded_nx_(grid.padded_nx()),
       padded_ny_(grid.padded_ny()),
-      value_(static_cast<std::size_t>(grid.block_count() * (padded_ny_ / 2 + 1) * kBlock)) {}
+      value_(static_cast<std::size_t>(grid.block_count() * (padded_ny_ / 2 + 1) * 2 * kBlock)) {}
 
 EvenSpectrum::EvenSpectrum(const PaddedGrid& grid, const Function& kernel, Centre x, Centre y)
     : EvenSpectrum(grid) {
@@ -107,37 +105,37 @@ EvenSpectrum::EvenSpectrum(const PaddedGrid& grid, const Function& kernel, Centr
   for (Index m = 0; m <= half; ++m)
     along_y.transform(
         ny, [&](Index j) { return columns[static_cast<std::size_t>(m * ny + j)]; },
-        [&](Index n, Complex value) { at(m, n) = norm * value; });
+        [&](Index n, Complex value) { set(m, n, norm * value); });
 }
 
 EvenSpectrum EvenSpectrum::from_symbol(const PaddedGrid& grid, const Function& symbol) {
   EvenSpectrum spectrum(grid);
   const double norm = 1.0 / static_cast<double>(grid.padded_nx() * grid.padded_ny());
   for (Index n = 0; n <= grid.padded_ny() / 2; ++n)
-    for (Index m = 0; m <= grid.padded_nx() / 2; ++m) spectrum.at(m, n) = norm * symbol(m, n);
+    for (Index m = 0; m <= grid.padded_nx() / 2; ++m) spectrum.set(m, n, norm * symbol(m, n));
   return spectrum;
 }
 
-Complex& EvenSpectrum::at(Index mx, Index my) {
-  const Index block = mx / kBlock;
-  return value_[static_cast<std::size_t>((block * (padded_ny_ / 2 + 1) + my) * kBlock +
-                                         mx % kBlock)];
+void EvenSpectrum::set(Index mx, Index my, Complex value) {
+  const Index bin = mx / kBlock * (padded_ny_ / 2 + 1) + my;
+  double* const at = value_.data() + bin * 2 * kBlock + mx % kBlock;
+  at[0] = value.real();
+  at[kBlock] = value.imag();
 }
 
-void EvenSpectrum::multiply(const SpectralBlock& block, const Complex* input,
-                            Complex* output) const {
-  const Complex* const value = value_.data() + block.number * (padded_ny_ / 2 + 1) * kBlock;
-  multiply_block_set(reals(value), padded_ny_, reals(input), reals(output));
+void EvenSpectrum::multiply(const SpectralBlock& block, const double* input, double* output) const {
+  const double* const value = value_.data() + block.number * (padded_ny_ / 2 + 1) * 2 * kBlock;
+  multiply_block_set(value, padded_ny_, input, output);
 }
 
-void EvenSpectrum::multiply_add(const SpectralBlock& block, const Complex* input,
-                                Complex* output) const {
-  const Complex* const value = value_.data() + block.number * (padded_ny_ / 2 + 1) * kBlock;
-  multiply_block_add(reals(value), padded_ny_, reals(input), reals(output));
+void EvenSpectrum::multiply_add(const SpectralBlock& block, const double* input,
+                                double* output) const {
+  const double* const value = value_.data() + block.number * (padded_ny_ / 2 + 1) * 2 * kBlock;
+  multiply_block_add(value, padded_ny_, input, output);
 }
 
-void EvenSpectrum::filter(const SpectralBlock& block, std::span<const Complex* const> inputs,
-                          std::span<Complex* const> outputs) const {
+void EvenSpectrum::filter(const SpectralBlock& block, std::span<const double* const> inputs,
+                          std::span<double* const> outputs) const {
   multiply(block, inputs[0], outputs[0]);
 }
 

@@ -10,27 +10,36 @@
 
 namespace floe::bem {
 
+class AxisTransform;
 class LatticeTables;
+struct NodeLattices;
 
-/// What no frequency changes: the lattice, its padded grid, the integration rules of its element.
+/// What no frequency changes: the lattices of nodes, their padded grid, the element.
 struct LatticePlan {
   /// Throws MeshError when the mesh is not on a lattice (find_element_lattice).
   explicit LatticePlan(const mesh::Q8Mesh& mesh, const IntegralOptions& options = {});
 
-  ElementLattice lattice;
+  double memory() const;  ///< [byte]
+
   Index node_count;
-  mesh::Q8Mesh element;  ///< one cell, centred on the origin
-  double tolerance;      ///< of the integrals over one element
+  double step_x, step_y;  ///< edges of an element [m]
+  Index nx, ny;           ///< cells of the bounding rectangle
+  mesh::Q8Mesh element;   ///< one cell, centred on the origin
+  double tolerance;       ///< of the integrals over one element
   fmm::PaddedGrid grid;
+  std::shared_ptr<const NodeLattices> nodes;
+  std::shared_ptr<const AxisTransform> along_x, along_y;  ///< of lines of the outline
+
+ private:
+  LatticePlan(const mesh::Q8Mesh& mesh, const IntegralOptions& options,
+              const ElementLattice& elements);
 };
 
 /// I + κ𝒢 on equal elements, exact to rounding (and to the tolerance of the element integrals),
 /// near field included: the collocation matrix depends on differences of lattice positions only
-/// (F.5). The eight local nodes of the elements are eight lattices of sources, the corners and the
-/// two kinds of mid-sides three lattices of targets; sums and differences over mirrored local nodes
-/// make every kernel even or odd, so that a quarter of each spectrum is stored. Since sources
-/// belong to elements, edges, holes and gaps need nothing special. One application is eleven pruned
-/// FFTs; about 24·16 bytes a cell.
+/// (F.14). Sources and targets are the three lattices of nodes; where an outline, edge or hole,
+/// cuts a node's basis function, sources on few lines correct it. One application is six pruned
+/// FFTs, five more for outlines with many steps; about 24·16 bytes a cell.
 class LatticePressureOperator final : public krylov::LinearOperator {
  public:
   LatticePressureOperator(std::shared_ptr<const LatticePlan> plan, const green::GreenTable& green);
@@ -42,11 +51,8 @@ class LatticePressureOperator final : public krylov::LinearOperator {
   double memory() const;
 
  private:
-  void apply_column(const Complex* x, Complex* y) const;
-
   std::shared_ptr<const LatticePlan> plan_;
   std::shared_ptr<const LatticeTables> tables_;
-  double kappa_;
 };
 
 }  // namespace floe::bem

@@ -27,22 +27,23 @@ class EvenSpectrum final : public SpectralFilter {
   static EvenSpectrum from_symbol(const PaddedGrid& grid, const Function& symbol);
 
   /// output (+)= K̂ · input on one block.
-  void multiply(const SpectralBlock& block, const Complex* input, Complex* output) const;
-  void multiply_add(const SpectralBlock& block, const Complex* input, Complex* output) const;
+  void multiply(const SpectralBlock& block, const double* input, double* output) const;
+  void multiply_add(const SpectralBlock& block, const double* input, double* output) const;
 
   /// The filter with one input and one output.
-  void filter(const SpectralBlock& block, std::span<const Complex* const> inputs,
-              std::span<Complex* const> outputs) const override;
+  void filter(const SpectralBlock& block, std::span<const double* const> inputs,
+              std::span<double* const> outputs) const override;
 
-  double memory() const { return 16.0 * static_cast<double>(value_.size()); }  ///< [byte]
+  double memory() const { return 8.0 * static_cast<double>(value_.size()); }  ///< [byte]
 
  private:
   explicit EvenSpectrum(const PaddedGrid& grid);
 
-  Complex& at(Index mx, Index my);
+  void set(Index mx, Index my, Complex value);
 
   Index padded_nx_, padded_ny_;
-  std::vector<Complex> value_;  // blocks; rows 0 … padded_ny/2; kSpectralBlock; over the FFT's size
+  // Blocks; bins 0 … padded_ny/2; kSpectralBlock real, then imaginary parts; over the FFT's size
+  std::vector<double> value_;
 };
 
 }  // namespace floe::fmm
