@@ -94,7 +94,7 @@ void measure(const Points2& points, double tolerance, double k, double f1,
   const fmm::DirectSum truth(points, points, table);
   const fmm::PfftDesign& d = plan->design();
   std::printf(
-      "N %td threads %d tolerance %.0e w %d r %d h/E %.2f grid %td x %td near %.0f "
+      "N %td threads %d tolerance %.0e w %d r %.1f h/E %.2f grid %td x %td near %.0f "
       "error random %.1e smooth %.1e | apply %.1f ms (far %.1f, estimate %.1f) = %.1f F1, "
       "of 8: %.2f | plan %.2f s, setup %.1f applications | %.0f bytes a node\n",
       points.cols(), omp_get_max_threads(), tolerance, d.stencil, d.near_radius,
@@ -125,7 +125,8 @@ int main(int argc, char** argv) {
     const double h = argc > 3 ? std::atof(argv[3]) : 0.7;
     for (int w = 3; w <= 10; ++w)
       for (int r = 1; r <= 8; ++r) {
-        const fmm::PfftDesign design{.stencil = w, .near_radius = r, .spacing = h * kElement};
+        const fmm::PfftDesign design{
+            .stencil = w, .near_radius = double(r), .spacing = h * kElement};
         measure(points, 1e-7, 1e-6, 0.0, &design);
       }
     return 0;

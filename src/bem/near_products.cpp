@@ -12,8 +12,11 @@ namespace {
 constexpr int kLanes = 4;
 
 // sum (re, im) of one row for one column; gathered holds re, im of each column entry
+// Inlined into the clones below, or they would be compiled for the least of all processors
+#define FLOE_INLINE __attribute__((always_inline)) inline
+
 template <class Real>
-inline void sum_row(const Real* value, const std::uint16_t* column, std::size_t count,
+FLOE_INLINE void sum_row(const Real* value, const std::uint16_t* column, std::size_t count,
                     const double* gathered, double* sum) {
   double re[kLanes] = {}, im[kLanes] = {};
   std::size_t k = 0;
@@ -38,7 +41,7 @@ using Vector = double __attribute__((vector_size(8 * kNearColumns), aligned(8)))
 
 // The same for kNearColumns columns; gathered holds all re, then all im, of each column entry
 template <class Real>
-inline void sum_row_of_many(const Real* value, const std::uint16_t* column, std::size_t count,
+FLOE_INLINE void sum_row_of_many(const Real* value, const std::uint16_t* column, std::size_t count,
                             const double* gathered, Vector* sum) {
   Vector re[kLanes] = {}, im[kLanes] = {};
   const auto add = [&](std::size_t k, int lane) __attribute__((always_inline)) {
@@ -56,7 +59,7 @@ inline void sum_row_of_many(const Real* value, const std::uint16_t* column, std:
 }
 
 template <class Real>
-inline void sum_rows(const NearPattern& pattern, Index first, Index last, const Real* value,
+FLOE_INLINE void sum_rows(const NearPattern& pattern, Index first, Index last, const Real* value,
                      const double* gathered, Index columns, double* sums) {
   for (Index row = first; row < last; ++row) {
     const std::size_t begin = pattern.entry_begin(row);

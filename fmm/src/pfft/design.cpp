@@ -1,12 +1,14 @@
 #include "pfft/design.hpp"
 
-#include "pfft/near_part.hpp"
+#include "pfft/lane_fft.hpp"
+#include "pfft/near_counter.hpp"
 
-#include <floe/fmm/padded_grid.hpp>
 #include <floe/numeric/error.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <vector>
@@ -14,37 +16,52 @@
 namespace floe::fmm::pfft {
 namespace {
 
-// Tuning constants: nanoseconds on one core, flat within 20 % of the best over a factor of two
-constexpr double kFftTime = 15.0;      // a padded grid point, both transforms
-constexpr double kStencilTime = 1.1;   // a stencil point of a source or a target
-constexpr double kPointTime = 12.0;    // a source or a target
-constexpr double kNearTime = 0.9;      // a near pair
+// Tuning constants: nanoseconds on one core in single precision, twice that in double; flat within
+// 20 % of the best over a factor of two
+constexpr double kFftTime = 6.0;       // a padded grid point, both transforms
+constexpr double kStencilTime = 2.0;   // a stencil's row, of a source or a target
+constexpr double kPointTime = 3.0;     // a source or a target
+constexpr double kNearTime = 0.5;      // a stored near value
 constexpr double kNearRowTime = 20.0;  // a row of near pairs
 
-// Error of random charges under 1/R with stencil w and near radius r = 1 … 8. It does not depend on
-// the spacing; waves on top of 1/R make it smaller. Measured by `bench_pfft_sum 120 0`, and the
-// spread between meshes added.
-constexpr int kRadii = 8;
+// Error of random charges under 2/R with stencil w and near radius r. It does not depend on the
+// spacing; waves on top of 2/R make it smaller. Measured by `bench_pfft_sum 80 0`, the largest of
+// jittered, random and graded points, and a sixth added.
+constexpr double kSpread = 7.0 / 6.0;
+constexpr double kRadii[] = {1.4, 2.0, 2.2, 2.5, 3.0, 3.1, 3.5, 4.0,
+                             4.2, 5.0, 5.5, 6.0, 6.5, 7.0, 7.5, 8.0};
 struct MeasuredError {
   int stencil;
-  double at_radius[kRadii];
+  double at_radius[std::size(kRadii)];
 };
 constexpr MeasuredError kMeasured[] = {
-    {3, {9.0e-3, 2.4e-3, 8.6e-4, 4.3e-4, 2.5e-4, 1.4e-4, 1.0e-4, 7.4e-5}},
-    {4, {7.6e-3, 1.2e-3, 3.5e-4, 1.6e-4, 7.9e-5, 3.8e-5, 2.2e-5, 1.4e-5}},
-    {5, {5.4e-3, 5.6e-4, 1.3e-4, 4.0e-5, 1.6e-5, 6.5e-6, 3.7e-6, 1.7e-6}},
-    {6, {6.5e-3, 3.7e-4, 4.1e-5, 1.0e-5, 3.4e-6, 1.3e-6, 5.8e-7, 2.8e-7}},
-    {7, {4.9e-3, 3.6e-4, 4.0e-5, 8.3e-6, 2.4e-6, 6.2e-7, 2.6e-7, 1.0e-7}},
-    {8, {6.0e-3, 2.3e-4, 3.2e-5, 5.4e-6, 1.2e-6, 2.8e-7, 1.0e-7, 3.7e-8}},
-    {9, {4.4e-3, 2.8e-4, 2.6e-5, 4.4e-6, 9.4e-7, 1.7e-7, 4.9e-8, 1.6e-8}},
-    {10, {5.5e-3, 2.2e-4, 2.9e-5, 3.2e-6, 6.1e-7, 7.3e-8, 2.3e-8, 4.1e-9}},
+    {4,
+     {1.5e-3, 1.0e-3, 4.8e-4, 3.1e-4, 2.7e-4, 1.6e-4, 1.4e-4, 1.2e-4, 6.8e-5, 6.3e-5, 3.2e-5,
+      2.9e-5, 1.9e-5, 1.8e-5, 1.2e-5, 1.1e-5}},
+    {5,
+     {6.4e-4, 4.5e-4, 1.8e-4, 1.1e-4, 9.6e-5, 4.7e-5, 3.5e-5, 3.1e-5, 1.4e-5, 1.3e-5, 5.9e-6,
+      5.9e-6, 2.8e-6, 2.8e-6, 1.6e-6, 1.4e-6}},
+    {6,
+     {6.7e-4, 2.9e-4, 1.6e-4, 6.0e-5, 3.6e-5, 2.1e-5, 1.2e-5, 7.9e-6, 4.3e-6, 2.8e-6, 1.1e-6,
+      1.0e-6, 5.1e-7, 5.0e-7, 2.6e-7, 2.3e-7}},
+    {7,
+     {4.2e-4, 2.8e-4, 1.3e-4, 3.7e-5, 3.5e-5, 2.6e-5, 1.1e-5, 6.0e-6, 3.5e-6, 1.9e-6, 6.5e-7,
+      5.2e-7, 2.2e-7, 2.1e-7, 1.0e-7, 8.7e-8}},
+    {8,
+     {4.6e-4, 1.8e-4, 1.1e-4, 3.4e-5, 2.7e-5, 1.5e-5, 1.0e-5, 4.2e-6, 1.9e-6, 1.0e-6, 3.6e-7,
+      2.2e-7, 1.1e-7, 8.0e-8, 3.9e-8, 3.2e-8}},
 };
 
-// Wavenumber · spacing at which plane waves have this error, by the order of the stencil
-double largest_phase(int stencil, double error) {
-  const double phase = 0.5 * std::pow(error / stencil_wave_error(stencil, 0.5), 1.0 / stencil);
-  return std::min(phase, 1.2);
-}
+// Error of random charges under ln R in spacings, relative to that under 2/R: at most this
+double logarithm_share(double radius) { return 0.5 + 0.23 * radius; }
+
+constexpr double kShareWithKernel = 0.8;  // of the tolerance, with a typical kernel
+constexpr double kLargestPhase = 1.2;     // wavenumber · spacing
+
+// Rounding of sums in single precision, those of the FFT among it
+constexpr double kSingleRounding = 3e-7;
+
+Index fast_length(Index least) { return LaneFft<float>::fast_length(least); }
 
 // How much larger sums of random charges are under the kernel than under 2/R: root of the ratio of
 // Σ|G|² to Σ(2/R)², at a few targets spread over all
@@ -94,7 +111,7 @@ Grid make_grid(const Extent& extent, int stencil, double spacing) {
   const Point2 size = extent.high - extent.low;
   // One interval more than the points need: rounding may put the last point behind its end
   const double intervals = std::ceil(size.x() / spacing);
-  grid.nx = fast_fft_length(2 * (static_cast<Index>(intervals) + stencil + 1)) / 2;
+  grid.nx = fast_length(2 * (static_cast<Index>(intervals) + stencil + 1)) / 2;
   const auto free_intervals = static_cast<double>(grid.nx - stencil - 1);
   grid.spacing = size.x() > 0.0 ? size.x() / free_intervals : spacing;
   grid.ny = static_cast<Index>(std::ceil(size.y() / grid.spacing)) + stencil + 1;
@@ -102,92 +119,121 @@ Grid make_grid(const Extent& extent, int stencil, double spacing) {
   return grid;
 }
 
-void estimate_cost(const Extent& extent, const Points2& sources, const Points2& targets,
-                   double tolerance, PfftDesign& design) {
-  const Grid grid = make_grid(extent, design.stencil, design.spacing);
+namespace {
+
+std::vector<Index> count_cells(const Grid& grid, const Points2& points) {
+  std::vector<Index> begin(static_cast<std::size_t>(grid.cells_x() * grid.cells_y() + 1), 0);
+  for (Index i = 0; i < points.cols(); ++i) ++begin[grid.cell_of(points.col(i)) + 1];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  return begin;
+}
+
+// Time and memory from the number of near pairs
+void add_up(const Grid& grid, Index sources, Index targets, double stored_near, double tolerance,
+            PfftDesign& design) {
+  const double real = precision_for(tolerance) == Precision::single ? 4.0 : 8.0;
+  const auto padded =
+      static_cast<double>(fast_length(2 * grid.nx)) * static_cast<double>(fast_length(2 * grid.ny));
+  const auto points = static_cast<double>(sources + targets);
   design.spacing = grid.spacing;
   design.nx = grid.nx;
   design.ny = grid.ny;
-  const auto padded = static_cast<double>(fast_fft_length(2 * grid.nx)) *
-                      static_cast<double>(fast_fft_length(2 * grid.ny));
-  const auto points = static_cast<double>(sources.cols() + targets.cols());
-  const double entry = near_in_float(tolerance) ? 8.0 : 16.0;
+  // Spectrum; grid and row spectra; cells. Points: weights, positions, a column
+  design.memory = padded * (0.5 * real + 1.5 * real + 8.0) +
+                  points * ((2.0 * kWeights + 2.0) * real + 40.0) + real * stored_near;
+  design.nanoseconds =
+      real / 4.0 *
+      (kFftTime * padded + kNearTime * stored_near + kNearRowTime * static_cast<double>(targets) +
+       points * (kPointTime + kStencilTime * design.stencil));
+}
 
-  // Grid: spectrum, data, row spectra, cells; without near pairs it may be too large already
+constexpr double kLargestGrid = 1e9;  // padded points
+
+bool fits(const Grid& grid) {
+  return 4.0 * static_cast<double>(grid.nx) * static_cast<double>(grid.ny) < kLargestGrid;
+}
+
+}  // namespace
+
+void estimate_cost(const Extent& extent, const Points2& sources, const Points2& targets,
+                   double tolerance, PfftDesign& design) {
+  const Grid grid = make_grid(extent, design.stencil, design.spacing);
+  const Precision precision = precision_for(tolerance);
   design.near_pairs = 0.0;
-  design.memory = padded * (4.0 + 4.0 + 8.0 + 8.0) + points * (16.0 * design.stencil + 56.0);
-  if (padded > 1e9) {
-    design.nanoseconds = kFftTime * padded;
-    return;
-  }
-
-  // Near pairs, counted cell by cell
-  const auto count_cells = [&](const Points2& at) {
-    std::vector<Index> begin(static_cast<std::size_t>(grid.cells_x() * grid.cells_y() + 1), 0);
-    for (Index i = 0; i < at.cols(); ++i) {
-      const Point2 position = grid.locate(at.col(i));
-      const Index cx =
-          std::clamp<Index>(stencil_begin(position.x(), grid.stencil), 0, grid.cells_x() - 1);
-      const Index cy =
-          std::clamp<Index>(stencil_begin(position.y(), grid.stencil), 0, grid.cells_y() - 1);
-      ++begin[cx + grid.cells_x() * cy + 1];
+  double stored = 0.0;
+  if (fits(grid)) {
+    // Count near pairs cell by cell
+    const std::vector<Index> source = count_cells(grid, sources),
+                             target = count_cells(grid, targets);
+    const NearShape shape(design.near_radius);
+    for (Index cell = 0; cell < grid.cells_x() * grid.cells_y(); ++cell) {
+      const auto here = static_cast<double>(target[cell + 1] - target[cell]);
+      if (here == 0.0) continue;
+      for_near_ranges(grid, shape, source, cell % grid.cells_x(), cell / grid.cells_x(),
+                      [&](Index begin, Index end) {
+                        design.near_pairs += here * static_cast<double>(end - begin);
+                        stored += here * static_cast<double>(padded_range(end - begin, precision));
+                      });
     }
-    std::partial_sum(begin.begin(), begin.end(), begin.begin());
-    return begin;
-  };
-  const std::vector<Index> source = count_cells(sources), target = count_cells(targets);
-  const NearShape shape(design.near_radius);
-  for (Index cell = 0; cell < grid.cells_x() * grid.cells_y(); ++cell) {
-    const Index here = target[cell + 1] - target[cell];
-    if (here == 0) continue;
-    Index near = 0;
-    for_near_ranges(grid, shape, source, cell % grid.cells_x(), cell / grid.cells_x(),
-                    [&](Index begin, Index end) { near += padded_range(end - begin); });
-    design.near_pairs += static_cast<double>(here) * static_cast<double>(near);
   }
-  design.memory += entry * design.near_pairs;
-  design.nanoseconds = kFftTime * padded + kNearTime * entry / 8.0 * design.near_pairs +
-                       kNearRowTime * static_cast<double>(targets.cols()) +
-                       points * (kPointTime + kStencilTime * design.stencil * design.stencil);
+  add_up(grid, sources.cols(), targets.cols(), stored, tolerance, design);
 }
 
 PfftDesign choose_design(const Extent& extent, const Points2& sources, const Points2& targets,
                          const PfftOptions& options) {
-  PfftDesign best;
   const Point2 size = extent.high - extent.low;
   const double area = std::max(size.x() * size.y(), 1e-12 * size.x() * size.x());
-  const double density = static_cast<double>(sources.cols()) / std::max(area, 1e-300);
-  // What the waves of a typical kernel allow, and half of the tolerance kept in reserve then; its
+  const double mean_spacing = std::sqrt(area / static_cast<double>(sources.cols()));
+  const Precision precision = precision_for(options.tolerance);
+  const auto target_count = static_cast<double>(targets.cols());
+  const double rounding = precision == Precision::single ? kSingleRounding : 0.0;
+  const NearCounter counter(sources, targets);
+
+  // What the waves of a typical kernel allow, and a part of the tolerance kept in reserve then; its
   // logarithm, of the wave part, costs accuracy at distances where it outweighs 2/R (shallow water)
   double credit = 1.0, logarithm = 0.0, tolerance = options.tolerance;
   if (options.typical_kernel) {
     credit = std::max(1.0, strength(*options.typical_kernel, sources, targets));
     logarithm = 2.0 * std::abs(options.typical_kernel->wave().coefficient) / std::numbers::pi;
-    tolerance *= 0.5;
+    tolerance *= kShareWithKernel;
   }
+
+  // Of each stencil the two smallest near radii that may do; coarse spacings first
+  PfftDesign best;
   for (const MeasuredError& measured : kMeasured) {
-    for (int radius = 1; radius <= kRadii; ++radius) {
-      const double near = measured.at_radius[radius - 1] / credit;
-      if (near > tolerance) continue;
-      // Coarsest spacing at which the waves are right, then finer ones by the cost
-      const double left = std::sqrt(tolerance * tolerance - near * near);
-      double largest = 2.0 / std::sqrt(density);
-      if (options.max_wavenumber > 0.0)
-        largest = std::min(largest, largest_phase(measured.stencil, left) / options.max_wavenumber);
-      for (double spacing = largest; spacing > largest / 20.0; spacing *= 0.8) {
-        if (near * (1.0 + logarithm * radius * spacing / measured.stencil) > tolerance) continue;
-        PfftDesign design{.stencil = measured.stencil, .near_radius = radius, .spacing = spacing};
-        estimate_cost(extent, sources, targets, options.tolerance, design);
-        if (best.stencil == 0 || design.nanoseconds < best.nanoseconds)
-          best = design;
-        else if (design.nanoseconds > 2.0 * best.nanoseconds)
-          break;
+    int radii = 0;
+    for (std::size_t r = 0; r < std::size(kRadii) && radii < 2; ++r) {
+      const double near = kSpread * measured.at_radius[r] / credit;
+      if (std::hypot(near, rounding) > tolerance) continue;
+      ++radii;
+      double least = std::numeric_limits<double>::infinity();
+      for (double spacing = 2.0 * mean_spacing; spacing > 0.02 * mean_spacing; spacing *= 0.85) {
+        const double with_logarithm =
+            near * (1.0 + logarithm * spacing * logarithm_share(kRadii[r]));
+        const double phase = options.max_wavenumber * spacing;
+        if (phase > kLargestPhase ||
+            std::hypot(with_logarithm, stencil_wave_error(measured.stencil, phase), rounding) >
+                tolerance)
+          continue;
+        PfftDesign design{
+            .stencil = measured.stencil, .near_radius = kRadii[r], .spacing = spacing};
+        const Grid grid = make_grid(extent, design.stencil, design.spacing);
+        if (!fits(grid)) break;
+        const NearCounter::Lengths near_lengths =
+            counter.near_lengths(grid, NearShape(design.near_radius), precision);
+        design.near_pairs = target_count * near_lengths.pairs;
+        add_up(grid, sources.cols(), targets.cols(), target_count * near_lengths.stored,
+               options.tolerance, design);
+        if (best.stencil == 0 || design.nanoseconds < best.nanoseconds) best = design;
+        least = std::min(least, design.nanoseconds);
+        if (design.nanoseconds > 1.5 * least) break;
       }
-      break;
     }
   }
   FLOE_VALIDATE_AS(BudgetError, best.stencil > 0,
                    "pfft tolerance = " << options.tolerance << " (no stencil is accurate enough)");
+  best.memory = 0.0;
+  estimate_cost(extent, sources, targets, options.tolerance, best);
   return best;
 }
 

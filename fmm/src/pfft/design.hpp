@@ -20,11 +20,8 @@ Grid make_grid(const Extent& extent, int stencil, double spacing);
 PfftDesign choose_design(const Extent& extent, const Points2& sources, const Points2& targets,
                          const PfftOptions& options);
 
-/// Fills in what stencil, radius and spacing of a design cost.
+/// Fills in grid and near pairs of a design's stencil, radius and spacing, and what they cost.
 void estimate_cost(const Extent& extent, const Points2& sources, const Points2& targets,
                    double tolerance, PfftDesign& design);
-
-/// Are near values kept in float? Their rounding, 6e-8, must be far below the tolerance.
-inline bool near_in_float(double tolerance) { return tolerance >= 5e-7; }
 
 }  // namespace floe::fmm::pfft

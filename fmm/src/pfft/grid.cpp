@@ -1,36 +1,56 @@
 #include "pfft/grid.hpp"
 
-#include "pfft/near_part.hpp"
+#include <floe/numeric/error.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace floe::fmm::pfft {
 
-NearShape::NearShape(int near_radius) : radius(near_radius) {
+NearShape::NearShape(double near_radius) : radius(0) {
   // Near are cells that come closer than the radius; a cell is a spacing wide
-  for (int dy = 0; dy <= radius; ++dy) {
-    const double gap = std::max(0, dy - 1), reach = radius - 1e-6;
-    half_width.push_back(
-        std::min(radius, 1 + static_cast<int>(std::sqrt(reach * reach - gap * gap))));
+  const double reach = near_radius * near_radius * (1.0 - 1e-6);
+  for (int gap = 0; gap == 0 || gap * gap < reach; ++gap) {
+    int along = 0;
+    while ((along + 1) * (along + 1) + gap * gap < reach) ++along;
+    for (int dy = gap == 0 ? 0 : gap + 1; dy <= gap + 1; ++dy) half_width.push_back(along + 1);
+    radius = gap + 1;
   }
 }
 
-CellPoints sort_into_cells(const Grid& grid, const Points2& points) {
+namespace {
+
+template <class Real>
+void fill_weights(const Grid& grid, const Points2& points, const CellPoints& cells,
+                  std::vector<Real>& weight) {
+  weight.assign(static_cast<std::size_t>(2 * kWeights * cells.count()), Real(0));
+#pragma omp parallel for schedule(static)
+  for (Index k = 0; k < cells.count(); ++k) {
+    const Point2 position = grid.locate(points.col(cells.original[k]));
+    double along[2][kWeights];
+    stencil_weights(position.x() - static_cast<double>(cells.cell_x[k]), grid.stencil, along[0]);
+    stencil_weights(position.y() - static_cast<double>(cells.cell_y[k]), grid.stencil, along[1]);
+    for (int axis = 0; axis < 2; ++axis)
+      for (int a = 0; a < grid.stencil; ++a)
+        weight[kWeights * (2 * k + axis) + a] = static_cast<Real>(along[axis][a]);
+  }
+}
+
+}  // namespace
+
+CellPoints sort_into_cells(const Grid& grid, const Points2& points, Precision precision) {
   const Index count = points.cols();
   CellPoints cells;
   cells.cell_begin.assign(static_cast<std::size_t>(grid.cells_x() * grid.cells_y() + 1), 0);
 
   // Count and order by cell; within a cell the order of the points stays
+  FLOE_VALIDATE(count <= std::numeric_limits<std::int32_t>::max(),
+                "invalid number of points = " << count << " (must be below 2^31)");
   std::vector<Index> cell(static_cast<std::size_t>(count));
   for (Index i = 0; i < count; ++i) {
-    const Point2 position = grid.locate(points.col(i));
-    const Index cx =
-        std::clamp<Index>(stencil_begin(position.x(), grid.stencil), 0, grid.cells_x() - 1);
-    const Index cy =
-        std::clamp<Index>(stencil_begin(position.y(), grid.stencil), 0, grid.cells_y() - 1);
-    cell[i] = cx + grid.cells_x() * cy;
+    cell[i] = grid.cell_of(points.col(i));
     ++cells.cell_begin[cell[i] + 1];
   }
   std::partial_sum(cells.cell_begin.begin(), cells.cell_begin.end(), cells.cell_begin.begin());
@@ -38,53 +58,67 @@ CellPoints sort_into_cells(const Grid& grid, const Points2& points) {
   cells.original.resize(count);
   cells.sorted.resize(count);
   for (Index i = 0; i < count; ++i) {
-    cells.sorted[i] = next[cell[i]]++;
-    cells.original[cells.sorted[i]] = i;
+    cells.sorted[i] = static_cast<std::int32_t>(next[cell[i]]++);
+    cells.original[cells.sorted[i]] = static_cast<std::int32_t>(i);
   }
 
-  // Keep positions and the weights of the stencils
-  const int w = grid.stencil;
   cells.position.resize(2, count);
   cells.cell_x.resize(count);
   cells.cell_y.resize(count);
-  cells.weight.resize(static_cast<std::size_t>(2 * w * count));
 #pragma omp parallel for schedule(static)
   for (Index k = 0; k < count; ++k) {
     const Index i = cells.original[k];
     cells.position.col(k) = points.col(i);
     cells.cell_x[k] = static_cast<std::int32_t>(cell[i] % grid.cells_x());
     cells.cell_y[k] = static_cast<std::int32_t>(cell[i] / grid.cells_x());
-    const Point2 position = grid.locate(points.col(i));
-    double* const weight = cells.weight.data() + 2 * w * k;
-    stencil_weights(position.x() - static_cast<double>(cells.cell_x[k]), w, weight);
-    stencil_weights(position.y() - static_cast<double>(cells.cell_y[k]), w, weight + w);
   }
+  if (precision == Precision::single)
+    fill_weights(grid, points, cells, cells.weight_float);
+  else
+    fill_weights(grid, points, cells, cells.weight);
   return cells;
 }
 
 Geometry::Geometry(const Grid& grid_in, const PfftDesign& design_in, const Points2& source_points,
-                   const Points2& target_points)
+                   const Points2& target_points, Precision precision_in)
     : grid(grid_in),
       design(design_in),
       near(design_in.near_radius),
-      sources(sort_into_cells(grid, source_points)),
-      targets(sort_into_cells(grid, target_points)) {
-  const Index cells = grid.cells_x() * grid.cells_y();
-  near_length.assign(static_cast<std::size_t>(cells), 0);
-  near_begin.assign(static_cast<std::size_t>(cells + 1), 0);
-  for (Index cell = 0; cell < cells; ++cell) {
-    const Index here = targets.cell_begin[cell + 1] - targets.cell_begin[cell];
-    if (here > 0)
-      for_near_ranges(
-          grid, near, sources.cell_begin, cell % grid.cells_x(), cell / grid.cells_x(),
-          [&](Index begin, Index end) { near_length[cell] += padded_range(end - begin); });
-    near_begin[cell + 1] = near_begin[cell] + here * near_length[cell];
-  }
+      precision(precision_in),
+      sources(sort_into_cells(grid, source_points, precision)) {
+  const bool same = source_points.cols() == target_points.cols() && source_points == target_points;
+  if (!same) own_targets_ = sort_into_cells(grid, target_points, precision);
+
+  // List near vectors, find coincident points
+  const CellPoints& to = targets();
+  const Index lanes = padded_range(1, precision);
+  vector_begin.push_back(0);
+  value_begin.push_back(0);
+  for (Index cy = 0; cy < grid.cells_y(); ++cy)
+    for (Index cx = 0; cx < grid.cells_x(); ++cx) {
+      const Index cell = cx + grid.cells_x() * cy;
+      const Index first = to.cell_begin[cell], last = to.cell_begin[cell + 1];
+      if (last > first)
+        for_near_ranges(grid, near, sources.cell_begin, cx, cy, [&](Index begin, Index end) {
+          for (Index s = begin; s < end; s += lanes)
+            vector_start.push_back(static_cast<std::int32_t>(s));
+        });
+      vector_begin.push_back(static_cast<Index>(vector_start.size()));
+      value_begin.push_back(value_begin.back() +
+                            (last - first) * lanes * (vector_begin[cell + 1] - vector_begin[cell]));
+      for (Index t = first; t < last; ++t)
+        for (Index s = sources.cell_begin[cell]; s < sources.cell_begin[cell + 1]; ++s)
+          if (to.position.col(t) == sources.position.col(s))
+            coincident.emplace_back(static_cast<std::int32_t>(t), static_cast<std::int32_t>(s));
+    }
 }
 
 double Geometry::memory() const {
-  const auto points = static_cast<double>(sources.count() + targets.count());
-  return points * (16.0 * grid.stencil + 40.0) + 8.0 * static_cast<double>(4 * near_length.size());
+  const double real = precision == Precision::single ? 4.0 : 8.0;
+  const auto points = static_cast<double>(sources.count() + (own_targets_ ? targets().count() : 0));
+  return points * (2.0 * kWeights * real + 32.0) + 8.0 * static_cast<double>(coincident.size()) +
+         8.0 * static_cast<double>((own_targets_ ? 4 : 3) * value_begin.size()) +
+         4.0 * static_cast<double>(vector_start.size());
 }
 
 }  // namespace floe::fmm::pfft

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "pfft/lanes.hpp"
 #include "pfft/stencil.hpp"
 
 #include <floe/fmm/pfft_plan.hpp>
@@ -7,6 +8,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace floe::fmm::pfft {
@@ -28,28 +32,54 @@ struct Grid {
     const Point2 along = exchanged ? Point2(point.y(), point.x()) : point;
     return (along - origin) / spacing;
   }
+  Index cell_of(const Point2& point) const {
+    const Point2 position = locate(point);
+    const Index cx = std::clamp<Index>(stencil_begin(position.x(), stencil), 0, cells_x() - 1);
+    const Index cy = std::clamp<Index>(stencil_begin(position.y(), stencil), 0, cells_y() - 1);
+    return cx + cells_x() * cy;
+  }
 };
+
+inline constexpr int kWeights = 8;  // room for the weights of one axis; the largest stencil
 
 /// Points in the order of their cells, with the weights of their stencils.
 struct CellPoints {
-  std::vector<Index> original;  // by sorted number
-  std::vector<Index> sorted;    // by original number
+  std::vector<std::int32_t> original;  // by sorted number
+  std::vector<std::int32_t> sorted;    // by original number
   std::vector<std::int32_t> cell_x, cell_y;
-  std::vector<Index> cell_begin;  // by cell, cells + 1
-  std::vector<double> weight;     // 2·stencil a point: along x, along y
-  Points2 position;               // [m], sorted
+  std::vector<Index> cell_begin;    // by cell, cells + 1
+  std::vector<float> weight_float;  // 2·kWeights a point, along x, along y, zeros behind; of the
+  std::vector<double> weight;       // two only the one in the precision of the sums
+  Points2 position;                 // [m], sorted
 
   Index count() const { return static_cast<Index>(original.size()); }
-  const double* weights_x(Index k, int stencil) const { return weight.data() + 2 * stencil * k; }
-  const double* weights_y(Index k, int stencil) const { return weights_x(k, stencil) + stencil; }
+  template <class Real>
+  const Real* weights(Index k) const {
+    if constexpr (std::is_same_v<Real, float>)
+      return weight_float.data() + 2 * kWeights * k;
+    else
+      return weight.data() + 2 * kWeights * k;
+  }
 };
 
-CellPoints sort_into_cells(const Grid& grid, const Points2& points);
+enum class Precision { single, full };
 
-/// Near cells of a cell: those that come closer to it than `radius` spacings; at most
-/// half_width[|dy|] cells away along x in row dy.
+/// Sums in single precision have errors of 3e-7, those of the FFT among them.
+inline Precision precision_for(double tolerance) {
+  return tolerance >= 9e-7 ? Precision::single : Precision::full;
+}
+
+/// Length of a stored range of near values: whole vectors, filled up with zeros.
+inline Index padded_range(Index count, Precision precision) {
+  return precision == Precision::single ? whole_lanes<float>(count) : whole_lanes<double>(count);
+}
+
+CellPoints sort_into_cells(const Grid& grid, const Points2& points, Precision precision);
+
+/// Near cells of a cell: those that come closer to it than `near_radius` spacings, at most
+/// half_width[|dy|] cells away along x in row dy, |dy| ≤ radius.
 struct NearShape {
-  explicit NearShape(int radius);
+  explicit NearShape(double near_radius);
   int radius;
   std::vector<int> half_width;
 };
@@ -73,15 +103,24 @@ void for_near_ranges(const Grid& grid, const NearShape& shape, const std::vector
 /// Everything of a plan.
 class Geometry {
  public:
-  Geometry(const Grid& grid, const PfftDesign& design, const Points2& sources,
-           const Points2& targets);
+  Geometry(const Grid& grid, const PfftDesign& design, const Points2& source_points,
+           const Points2& target_points, Precision precision);
+  const CellPoints& targets() const { return own_targets_ ? *own_targets_ : sources; }
+  double memory() const;
+
   Grid grid;
   PfftDesign design;
   NearShape near;
-  CellPoints sources, targets;
-  std::vector<Index> near_length;  // stored near values of a target, by target cell
-  std::vector<Index> near_begin;   // and where those of the cell begin
-  double memory() const;
+  Precision precision;
+  CellPoints sources;
+  // Near sources of a target cell as whole vectors, values of the near matrix behind each other
+  std::vector<Index> vector_begin;         // by cell, + 1: the cell's part of vector_start
+  std::vector<std::int32_t> vector_start;  // first sorted source of each vector
+  std::vector<Index> value_begin;          // by cell, + 1: near values of the cell's targets
+  std::vector<std::pair<std::int32_t, std::int32_t>> coincident;  // sorted target, sorted source
+
+ private:
+  std::optional<CellPoints> own_targets_;  // unless they are the sources
 };
 
 }  // namespace floe::fmm::pfft

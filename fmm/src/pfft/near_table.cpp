@@ -26,8 +26,8 @@ int octant(int i, int j) {
 }
 
 struct OctantTable {
-  std::vector<Complex> value;  // by octant number
-  std::vector<int> unknown;    // number of the free value, or -1
+  std::vector<double> value;  // by octant number
+  std::vector<int> unknown;   // number of the free value, or -1
   int unknowns = 0;
 };
 
@@ -40,8 +40,9 @@ OctantTable kernel_octant(double spacing, double free_radius, int reach,
       distance.push_back(spacing * std::max(0.5 * free_radius, std::hypot(i, j)));
       table.unknown.push_back(std::hypot(i, j) < free_radius ? table.unknowns++ : -1);
     }
-  table.value.resize(distance.size());
-  kernel.evaluate(distance, table.value);
+  std::vector<Complex> value(distance.size());
+  kernel.evaluate(distance, value);
+  for (const Complex& v : value) table.value.push_back(v.real());
   return table;
 }
 
@@ -75,7 +76,7 @@ void fit_near_table(const Grid& grid, const NearShape& near, const RadialKernel&
         cells.emplace_back(dx, dy);
   const auto rows = static_cast<Index>(cells.size()) * kSamples;
   MatXd matrix = MatXd::Zero(rows + octant_table.unknowns, octant_table.unknowns);
-  MatXcd right(rows + octant_table.unknowns, 1);
+  VecXd right(rows + octant_table.unknowns);
   std::vector<double> along_x(static_cast<std::size_t>(2 * w - 1)), along_y(along_x), distance(1);
   std::vector<Complex> value(1);
   for (Index row = 0; row < rows; ++row) {
@@ -86,7 +87,7 @@ void fit_near_table(const Grid& grid, const NearShape& near, const RadialKernel&
     correlate(w, ty, sy, along_y.data());
     distance[0] = grid.spacing * std::hypot(dx + sx - tx, dy + sy - ty);
     kernel.evaluate(distance, value);
-    right(row, 0) = value[0];
+    right[row] = value[0].real();
     for (int v = 0; v < 2 * w - 1; ++v)
       for (int u = 0; u < 2 * w - 1; ++u) {
         const auto k = static_cast<std::size_t>(octant(dx + u - w + 1, dy + v - w + 1));
@@ -95,7 +96,7 @@ void fit_near_table(const Grid& grid, const NearShape& near, const RadialKernel&
         if (octant_table.unknown[k] >= 0)
           matrix(row, octant_table.unknown[k]) += factor;
         else
-          right(row, 0) -= factor * octant_table.value[k];
+          right[row] -= factor * octant_table.value[k];
       }
   }
 
@@ -106,18 +107,17 @@ void fit_near_table(const Grid& grid, const NearShape& near, const RadialKernel&
     const Index free = octant_table.unknown[k];
     if (free < 0) continue;
     matrix(rows + free, free) = pull;
-    right(rows + free, 0) = pull * octant_table.value[k];
+    right[rows + free] = pull * octant_table.value[k];
   }
   const Eigen::HouseholderQR<MatXd> factors(matrix);
-  const MatXd real = factors.solve(right.real()), imag = factors.solve(right.imag());
+  const VecXd real = factors.solve(right);
 
   for (Index j = 0; j < std::min<Index>(grid.ny, near.radius + 2); ++j)
     for (Index i = 0; i < std::min<Index>(grid.nx, near.radius + 2); ++i) {
       const int free =
           octant_table
               .unknown[static_cast<std::size_t>(octant(static_cast<int>(i), static_cast<int>(j)))];
-      if (free >= 0)
-        table[static_cast<std::size_t>(i + grid.nx * j)] = Complex(real(free, 0), imag(free, 0));
+      if (free >= 0) table[static_cast<std::size_t>(i + grid.nx * j)].real(real[free]);
     }
 }
 

@@ -1,5 +1,4 @@
 #include "pfft/design.hpp"
-#include "pfft/near_part.hpp"
 
 #include <floe/fmm/pfft_plan.hpp>
 #include <floe/numeric/error.hpp>
@@ -44,7 +43,8 @@ PfftPlan::PfftPlan(const Points2& sources, const Points2& targets, const PfftOpt
                                     << " points, " << design.near_pairs << " near pairs)");
   // The spacing of the design is what make_grid gave: ask for a hair more, get the same
   const pfft::Grid grid = pfft::make_grid(extent, design.stencil, design.spacing * (1.0 + 1e-9));
-  geometry_ = std::make_shared<const pfft::Geometry>(grid, design, sources, targets);
+  geometry_ = std::make_shared<const pfft::Geometry>(grid, design, sources, targets,
+                                                     pfft::precision_for(options.tolerance));
 }
 
 const PfftDesign& PfftPlan::design() const { return geometry_->design; }
@@ -58,13 +58,13 @@ double PfftPlan::memory() const { return geometry_->memory(); }
 
 std::vector<Index> PfftPlan::near_sources(Index target) const {
   const pfft::Geometry& geometry = *geometry_;
-  const Index t = geometry.targets.sorted[target];
+  const Index t = geometry.targets().sorted[target];
   std::vector<Index> sources;
   pfft::for_near_ranges(geometry.grid, geometry.near, geometry.sources.cell_begin,
-                        geometry.targets.cell_x[t], geometry.targets.cell_y[t],
+                        geometry.targets().cell_x[t], geometry.targets().cell_y[t],
                         [&](Index begin, Index end) {
-                          for (Index s = begin; s < end; ++s)
-                            sources.push_back(geometry.sources.original[s]);
+                          sources.insert(sources.end(), geometry.sources.original.begin() + begin,
+                                         geometry.sources.original.begin() + end);
                         });
   std::sort(sources.begin(), sources.end());
   return sources;

@@ -2,87 +2,140 @@
 
 #include <floe/numeric/simd.hpp>
 
-#include <algorithm>
 #include <cstdlib>
 
 namespace floe::fmm::pfft {
 namespace {
 
-// to += factor · from
-FLOE_SIMD_CLONES
-void add_scaled(const double* from, double factor, int count, double* to) {
-  for (int i = 0; i < count; ++i) to[i] += factor * from[i];
+// to = Σ_a factor[a] · from[a], rows of `count` numbers in whole vectors
+template <class Real>
+FLOE_INLINE void combine_rows(const Real* const* from, const Real* factor, int terms, Index count,
+                              Real* to) {
+  for (Index i = 0; i < count; i += kLanes<Real>) {
+    Lanes<Real> sum = {};
+    for (int a = 0; a < terms; ++a) {
+      Lanes<Real> row;
+      load(row, from[a] + i);
+      sum += factor[a] * row;
+    }
+    store(to + i, sum);
+  }
+}
+
+FLOE_SIMD_CLONES void combine(const float* const* from, const float* factor, int terms, Index count,
+                              float* to) {
+  combine_rows(from, factor, terms, count, to);
+}
+FLOE_SIMD_CLONES void combine(const double* const* from, const double* factor, int terms,
+                              Index count, double* to) {
+  combine_rows(from, factor, terms, count, to);
+}
+
+// The box, and where sources' stencils lie in it
+template <class Real>
+struct BoxView {
+  const Real* potential;
+  Index stride, origin;  // origin: cell (0, 0) of the whole grid would begin there
+  int stencil;
+  const Real* weight;
+  const std::int32_t *cell_x, *cell_y;
+};
+
+template <class Real>
+FLOE_INLINE void all_values(const BoxView<Real>& box, const std::int32_t* sources,
+                            std::size_t count, Real* value) {
+  constexpr int kV = static_cast<int>(kWeights / kLanes<Real>);
+  for (std::size_t k = 0; k < count; ++k) {
+    const Index s = sources[k];
+    const Real* const along_x = box.weight + 2 * kWeights * s;
+    const Real* const along_y = along_x + kWeights;
+    const Real* from = box.potential + (box.origin + box.cell_x[s] + box.stride * box.cell_y[s]);
+    Lanes<Real> row[kV] = {};
+    for (int b = 0; b < box.stencil; ++b, from += box.stride)
+      for (int v = 0; v < kV; ++v) {
+        Lanes<Real> part;
+        load(part, from + kLanes<Real> * v);
+        row[v] += along_y[b] * part;
+      }
+    Lanes<Real> sum = {};
+    for (int v = 0; v < kV; ++v) {
+      Lanes<Real> weight;
+      load(weight, along_x + kLanes<Real> * v);
+      sum += weight * row[v];
+    }
+    value[k] = sum_of_lanes(sum);
+  }
+}
+
+FLOE_SIMD_CLONES void box_values(const BoxView<float>& box, const std::int32_t* sources,
+                                 std::size_t count, float* value) {
+  all_values(box, sources, count, value);
+}
+FLOE_SIMD_CLONES void box_values(const BoxView<double>& box, const std::int32_t* sources,
+                                 std::size_t count, double* value) {
+  all_values(box, sources, count, value);
 }
 
 }  // namespace
 
-Precorrection::Precorrection(const Geometry& geometry,
-                             const std::function<Complex(Index, Index)>& table)
+template <class Real>
+Precorrection<Real>::Precorrection(const Geometry& geometry,
+                                   const std::function<double(Index, Index)>& table)
     : geometry_(geometry),
-      stencil_(geometry.grid.stencil),
       radius_(geometry.near.radius),
-      reach_(radius_ + stencil_ - 1),
-      width_(2 * radius_ + stencil_) {
+      reach_(radius_ + geometry.grid.stencil - 1),
+      width_(2 * radius_ + geometry.grid.stencil),
+      stride_(whole_lanes<Real>(2 * radius_ + kWeights)),
+      table_stride_(2 * reach_ + 1 + stride_),
+      table_(LaneBuffer<Real>::zeros(table_stride_ * (reach_ + 1))) {
   for (int dy = 0; dy <= reach_; ++dy)
-    for (int dx = -reach_; dx <= reach_; ++dx) {
-      const bool inside = std::abs(dx) < geometry.grid.nx && dy < geometry.grid.ny;
-      const Complex value = inside ? table(std::abs(dx), dy) : Complex(0.0, 0.0);
-      table_.push_back(value.real());
-      table_.push_back(value.imag());
-    }
+    for (int dx = -reach_; dx <= reach_; ++dx)
+      if (std::abs(dx) < geometry.grid.nx && dy < geometry.grid.ny)
+        table_.data()[table_stride_ * dy + dx + reach_] =
+            static_cast<Real>(table(std::abs(dx), dy));
 }
 
-Precorrection::Box::Box(const Precorrection& parent)
+template <class Real>
+Precorrection<Real>::Box::Box(const Precorrection& parent)
     : parent_(parent),
-      strip_(static_cast<std::size_t>(2 * parent.width_ * (parent.reach_ + 1))),
-      potential_(static_cast<std::size_t>(2 * parent.width_ * parent.width_)) {}
+      strip_(parent.stride_ * (parent.reach_ + 1)),
+      potential_(parent.stride_ * parent.width_) {}
 
-void Precorrection::Box::fill(Index target) {
+template <class Real>
+void Precorrection<Real>::Box::fill(Index target) {
   const Precorrection& p = parent_;
-  const CellPoints& targets = p.geometry_.targets;
+  const CellPoints& targets = p.geometry_.targets();
+  const int w = p.geometry_.grid.stencil;
   cell_x_ = targets.cell_x[target];
   cell_y_ = targets.cell_y[target];
-  const int row = 2 * p.width_;
+  const Real* const along_x = targets.weights<Real>(target);
+  const Real* from[kWeights];
 
-  // Along x: the stencil's line at every distance dy
-  const double* const wx = targets.weights_x(target, p.stencil_);
-  std::fill(strip_.begin(), strip_.end(), 0.0);
-  for (int dy = 0; dy <= p.reach_; ++dy)
-    for (int a = 0; a < p.stencil_; ++a) {
-      const int first = p.reach_ - a - p.radius_;  // dx = first point of the box - stencil point
-      add_scaled(p.table_.data() + 2 * ((2 * p.reach_ + 1) * dy + first), wx[a], row,
-                 strip_.data() + row * dy);
-    }
+  // Along x: the stencil's line at every distance dy; dx = first point of the box - stencil point
+  for (int dy = 0; dy <= p.reach_; ++dy) {
+    for (int a = 0; a < w; ++a)
+      from[a] = p.table_.data() + p.table_stride_ * dy + p.reach_ - a - p.radius_;
+    combine(from, along_x, w, p.stride_, strip_.data() + p.stride_ * dy);
+  }
 
   // Along y
-  const double* const wy = targets.weights_y(target, p.stencil_);
-  std::fill(potential_.begin(), potential_.end(), 0.0);
-  for (int gy = 0; gy < p.width_; ++gy)
-    for (int b = 0; b < p.stencil_; ++b)
-      add_scaled(strip_.data() + row * std::abs(b + p.radius_ - gy), wy[b], row,
-                 potential_.data() + row * gy);
+  for (int gy = 0; gy < p.width_; ++gy) {
+    for (int b = 0; b < w; ++b) from[b] = strip_.data() + p.stride_ * std::abs(b + p.radius_ - gy);
+    combine(from, along_x + kWeights, w, p.stride_, potential_.data() + p.stride_ * gy);
+  }
 }
 
-Complex Precorrection::Box::value(Index source) const {
+template <class Real>
+void Precorrection<Real>::Box::values(std::span<const std::int32_t> sources, Real* value) const {
   const Precorrection& p = parent_;
-  const CellPoints& sources = p.geometry_.sources;
-  const int w = p.stencil_;
-  const double* const wx = sources.weights_x(source, w);
-  const double* const wy = sources.weights_y(source, w);
-  const Index dx = sources.cell_x[source] - cell_x_ + p.radius_;
-  const Index dy = sources.cell_y[source] - cell_y_ + p.radius_;
-  const double* corner = potential_.data() + 2 * (dx + p.width_ * dy);
-  double re = 0.0, im = 0.0;
-  for (int b = 0; b < w; ++b, corner += 2 * p.width_) {
-    double row_re = 0.0, row_im = 0.0;
-    for (int a = 0; a < w; ++a) {
-      row_re += wx[a] * corner[2 * a];
-      row_im += wx[a] * corner[2 * a + 1];
-    }
-    re += wy[b] * row_re;
-    im += wy[b] * row_im;
-  }
-  return {re, im};
+  const CellPoints& points = p.geometry_.sources;
+  const Index origin = p.radius_ - cell_x_ + p.stride_ * (p.radius_ - cell_y_);
+  box_values({potential_.data(), p.stride_, origin, p.geometry_.grid.stencil,
+              points.weights<Real>(0), points.cell_x.data(), points.cell_y.data()},
+             sources.data(), sources.size(), value);
 }
+
+template class Precorrection<float>;
+template class Precorrection<double>;
 
 }  // namespace floe::fmm::pfft

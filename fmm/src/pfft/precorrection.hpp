@@ -1,35 +1,41 @@
 #pragma once
 
 #include "pfft/grid.hpp"
+#include "pfft/lane_buffer.hpp"
 
 #include <functional>
+#include <span>
 
 namespace floe::fmm::pfft {
 
-/// What the grid gives for near pairs (F.5): stencilᵀ · kernel table · stencil. Per target first
-/// the potential of its stencil on the grid points around, then w² products a source.
+/// What the grid gives for near pairs (F.5), of a real table: stencilᵀ · table · stencil. Per
+/// target first the potential of its stencil on the grid points around, then w² products a source.
+template <class Real>
 class Precorrection {
  public:
   /// `table(i, j)` is the kernel at grid offset (i, j) ≥ 0 as the convolution has it.
-  Precorrection(const Geometry& geometry, const std::function<Complex(Index, Index)>& table);
+  Precorrection(const Geometry& geometry, const std::function<double(Index, Index)>& table);
 
   /// Potential of a target's stencil on the box of grid points that near sources' stencils touch.
   class Box {
    public:
     explicit Box(const Precorrection& parent);
     void fill(Index target);
-    Complex value(Index source) const;
+    /// The grid's values for sources, all by sorted numbers.
+    void values(std::span<const std::int32_t> sources, Real* value) const;
 
    private:
     const Precorrection& parent_;  // view
-    Index cell_x_ = 0, cell_y_ = 0;
-    std::vector<double> strip_, potential_;
+    std::int32_t cell_x_ = 0, cell_y_ = 0;
+    LaneBuffer<Real> strip_, potential_;
   };
 
  private:
   const Geometry& geometry_;  // view
-  int stencil_, radius_, reach_, width_;
-  std::vector<double> table_;  // rows dy = 0 … reach; dx = -reach … reach; re, im
+  int radius_, reach_;        // cells; grid offsets
+  Index width_, stride_;      // of the box, and of its rows: whole vectors
+  Index table_stride_;
+  LaneBuffer<Real> table_;  // rows dy = 0 … reach; dx = -reach … reach, zeros
 };
 
 }  // namespace floe::fmm::pfft

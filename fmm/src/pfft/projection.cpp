@@ -9,121 +9,153 @@ namespace {
 
 constexpr Index kBand = 16;  // rows of cells that one thread projects; ≥ the largest stencil
 
-struct Range {
+// Points of a row of cells, their stencils' corners and the grid
+template <class Real>
+struct Task {
   Index begin, end;
+  int stencil;
+  Index stride;
+  const Real* weight;
+  const std::int32_t *cell_x, *cell_y;
+  Real *grid_re, *grid_im;
 };
 
-template <int W>
-inline void project_points(const CellPoints& points, Range range, Index nx, const double* charges,
-                           double* values) {
-  for (Index k = range.begin; k < range.end; ++k) {
-    const double* const wx = points.weights_x(k, W);
-    const double* const wy = points.weights_y(k, W);
-    const Index i = points.original[k];
-    const double re = charges[2 * i], im = charges[2 * i + 1];
-    double row[2 * W];
-    for (int a = 0; a < W; ++a) {
-      row[2 * a] = wx[a] * re;
-      row[2 * a + 1] = wx[a] * im;
+template <class Real>
+Task<Real> make_task(const Grid& grid, const CellPoints& points, Index row,
+                     const GridData<Real>& values) {
+  return {points.cell_begin[row * grid.cells_x()],
+          points.cell_begin[(row + 1) * grid.cells_x()],
+          grid.stencil,
+          values.stride,
+          points.weights<Real>(0),
+          points.cell_x.data(),
+          points.cell_y.data(),
+          values.re.data(),
+          values.im.data()};
+}
+
+// The weights along x of a point and zeros fill kWeights numbers
+template <class Real>
+inline constexpr int kVectors = static_cast<int>(kWeights / kLanes<Real>);
+
+template <class Real>
+FLOE_INLINE void project_point(const Task<Real>& task, Index k, const Real* charges_re,
+                               const Real* charges_im) {
+  constexpr int kV = kVectors<Real>;
+  const Real* const along_x = task.weight + 2 * kWeights * k;
+  const Real* const along_y = along_x + kWeights;
+  Lanes<Real> row_re[kV], row_im[kV];
+  for (int v = 0; v < kV; ++v) {
+    Lanes<Real> weight;
+    load(weight, along_x + kLanes<Real> * v);
+    row_re[v] = charges_re[k] * weight;
+    row_im[v] = charges_im[k] * weight;
+  }
+  const Index corner = task.cell_x[k] + task.stride * task.cell_y[k];
+  Real *to_re = task.grid_re + corner, *to_im = task.grid_im + corner;
+  for (int b = 0; b < task.stencil; ++b, to_re += task.stride, to_im += task.stride)
+    for (int v = 0; v < kV; ++v) {
+      Lanes<Real> re, im;
+      load(re, to_re + kLanes<Real> * v);
+      load(im, to_im + kLanes<Real> * v);
+      store(to_re + kLanes<Real> * v, Lanes<Real>(re + along_y[b] * row_re[v]));
+      store(to_im + kLanes<Real> * v, Lanes<Real>(im + along_y[b] * row_im[v]));
     }
-    double* const corner = values + 2 * (points.cell_x[k] + nx * points.cell_y[k]);
-    for (int b = 0; b < W; ++b) {
-      double* const to = corner + 2 * nx * b;
-      for (int a = 0; a < 2 * W; ++a) to[a] += wy[b] * row[a];
+}
+
+// NOTE: neighbours write to the same places, a few numbers apart, and would wait for each other's
+// stores; so points of distant parts of the row take turns
+template <class Real>
+FLOE_INLINE void project_all(const Task<Real>& task, const Real* charges_re,
+                             const Real* charges_im) {
+  constexpr Index kTurns = 4;
+  const Index part = (task.end - task.begin) / kTurns;
+  for (Index k = task.begin; k < task.begin + part; ++k)
+    for (Index turn = 0; turn < kTurns; ++turn)
+      project_point(task, k + turn * part, charges_re, charges_im);
+  for (Index k = task.begin + kTurns * part; k < task.end; ++k)
+    project_point(task, k, charges_re, charges_im);
+}
+
+template <class Real>
+FLOE_INLINE void interpolate_all(const Task<Real>& task, Real* potentials_re, Real* potentials_im) {
+  constexpr int kV = kVectors<Real>;
+  for (Index k = task.begin; k < task.end; ++k) {
+    const Real* const along_x = task.weight + 2 * kWeights * k;
+    const Real* const along_y = along_x + kWeights;
+    const Index corner = task.cell_x[k] + task.stride * task.cell_y[k];
+    const Real *from_re = task.grid_re + corner, *from_im = task.grid_im + corner;
+    Lanes<Real> row_re[kV] = {}, row_im[kV] = {};
+    for (int b = 0; b < task.stencil; ++b, from_re += task.stride, from_im += task.stride)
+      for (int v = 0; v < kV; ++v) {
+        Lanes<Real> re, im;
+        load(re, from_re + kLanes<Real> * v);
+        load(im, from_im + kLanes<Real> * v);
+        row_re[v] += along_y[b] * re;
+        row_im[v] += along_y[b] * im;
+      }
+    Lanes<Real> sum_re = {}, sum_im = {};
+    for (int v = 0; v < kV; ++v) {
+      Lanes<Real> weight;
+      load(weight, along_x + kLanes<Real> * v);
+      sum_re += weight * row_re[v];
+      sum_im += weight * row_im[v];
     }
+    potentials_re[k] = sum_of_lanes(sum_re);
+    potentials_im[k] = sum_of_lanes(sum_im);
   }
 }
 
-template <int W>
-inline void interpolate_points(const CellPoints& points, Range range, Index nx,
-                               const double* values, double* potentials) {
-  for (Index k = range.begin; k < range.end; ++k) {
-    const double* const wx = points.weights_x(k, W);
-    const double* const wy = points.weights_y(k, W);
-    const double* const corner = values + 2 * (points.cell_x[k] + nx * points.cell_y[k]);
-    double row[2 * W] = {};
-    for (int b = 0; b < W; ++b) {
-      const double* const from = corner + 2 * nx * b;
-      for (int a = 0; a < 2 * W; ++a) row[a] += wy[b] * from[a];
-    }
-    double re = 0.0, im = 0.0;
-    for (int a = 0; a < W; ++a) {
-      re += wx[a] * row[2 * a];
-      im += wx[a] * row[2 * a + 1];
-    }
-    const Index i = points.original[k];
-    potentials[2 * i] = re;
-    potentials[2 * i + 1] = im;
-  }
+FLOE_SIMD_CLONES void project_points(const Task<float>& task, const float* re, const float* im) {
+  project_all(task, re, im);
 }
-
-#define FLOE_FOR_STENCIL(function, ...) \
-  switch (stencil) {                    \
-    case 2:                             \
-      return function<2>(__VA_ARGS__);  \
-    case 3:                             \
-      return function<3>(__VA_ARGS__);  \
-    case 4:                             \
-      return function<4>(__VA_ARGS__);  \
-    case 5:                             \
-      return function<5>(__VA_ARGS__);  \
-    case 6:                             \
-      return function<6>(__VA_ARGS__);  \
-    case 7:                             \
-      return function<7>(__VA_ARGS__);  \
-    case 8:                             \
-      return function<8>(__VA_ARGS__);  \
-    case 9:                             \
-      return function<9>(__VA_ARGS__);  \
-    default:                            \
-      return function<10>(__VA_ARGS__); \
-  }
-
-FLOE_SIMD_CLONES
-void project_range(int stencil, const CellPoints& points, Range range, Index nx,
-                   const double* charges, double* values){
-    FLOE_FOR_STENCIL(project_points, points, range, nx, charges, values)}
-
-FLOE_SIMD_CLONES void interpolate_range(int stencil, const CellPoints& points, Range range,
-                                        Index nx, const double* values, double* potentials) {
-  FLOE_FOR_STENCIL(interpolate_points, points, range, nx, values, potentials)
+FLOE_SIMD_CLONES void project_points(const Task<double>& task, const double* re, const double* im) {
+  project_all(task, re, im);
+}
+FLOE_SIMD_CLONES void interpolate_points(const Task<float>& task, float* re, float* im) {
+  interpolate_all(task, re, im);
+}
+FLOE_SIMD_CLONES void interpolate_points(const Task<double>& task, double* re, double* im) {
+  interpolate_all(task, re, im);
 }
 
 }  // namespace
 
-void project(const Grid& grid, const CellPoints& points, const Complex* charges, Complex* values) {
-  const auto* const in = reinterpret_cast<const double*>(charges);
-  auto* const out = reinterpret_cast<double*>(values);
+template <class Real>
+void project(const Grid& grid, const CellPoints& points, const Real* charges_re,
+             const Real* charges_im, GridData<Real>& values) {
   const Index bands = (grid.cells_y() + kBand - 1) / kBand;
 #pragma omp parallel
   {
 #pragma omp for schedule(static)
-    for (Index j = 0; j < grid.ny; ++j)
-      std::fill_n(values + grid.nx * j, grid.nx, Complex(0.0, 0.0));
+    for (Index j = 0; j < grid.ny; ++j) {
+      std::fill_n(values.re.data() + values.stride * j, values.stride, Real(0));
+      std::fill_n(values.im.data() + values.stride * j, values.stride, Real(0));
+    }
 
     // Even bands reach over into odd ones but not into each other, and the other way round
     for (Index parity = 0; parity < 2; ++parity) {
 #pragma omp for schedule(dynamic, 1)
-      for (Index band = parity; band < bands; band += 2) {
-        const Index last = std::min(grid.cells_y(), (band + 1) * kBand);
-        const Range range{points.cell_begin[band * kBand * grid.cells_x()],
-                          points.cell_begin[last * grid.cells_x()]};
-        project_range(grid.stencil, points, range, grid.nx, in, out);
-      }
+      for (Index band = parity; band < bands; band += 2)
+        for (Index row = band * kBand; row < std::min(grid.cells_y(), (band + 1) * kBand); ++row)
+          project_points(make_task(grid, points, row, values), charges_re, charges_im);
     }
   }
 }
 
-void interpolate(const Grid& grid, const CellPoints& points, const Complex* values,
-                 Complex* potentials) {
-  const auto* const in = reinterpret_cast<const double*>(values);
-  auto* const out = reinterpret_cast<double*>(potentials);
+template <class Real>
+void interpolate(const Grid& grid, const CellPoints& points, const GridData<Real>& values,
+                 Real* potentials_re, Real* potentials_im) {
 #pragma omp parallel for schedule(dynamic, 1)
-  for (Index row = 0; row < grid.cells_y(); ++row) {
-    const Range range{points.cell_begin[row * grid.cells_x()],
-                      points.cell_begin[(row + 1) * grid.cells_x()]};
-    interpolate_range(grid.stencil, points, range, grid.nx, in, out);
-  }
+  for (Index row = 0; row < grid.cells_y(); ++row)
+    interpolate_points(make_task(grid, points, row, values), potentials_re, potentials_im);
 }
+
+template void project(const Grid&, const CellPoints&, const float*, const float*, GridData<float>&);
+template void project(const Grid&, const CellPoints&, const double*, const double*,
+                      GridData<double>&);
+template void interpolate(const Grid&, const CellPoints&, const GridData<float>&, float*, float*);
+template void interpolate(const Grid&, const CellPoints&, const GridData<double>&, double*,
+                          double*);
 
 }  // namespace floe::fmm::pfft

@@ -1,14 +1,18 @@
 #pragma once
 
 #include "pfft/grid.hpp"
+#include "pfft/lane_buffer.hpp"
 
 namespace floe::fmm::pfft {
 
-/// grid (nx·ny) = Σ_k weights of point k · charges[original number of k]                 (F.4)
-void project(const Grid& grid, const CellPoints& points, const Complex* charges, Complex* values);
+/// Grid = Σ_k weights of point k · charge k, points in the order of their cells           (F.4)
+template <class Real>
+void project(const Grid& grid, const CellPoints& points, const Real* charges_re,
+             const Real* charges_im, GridData<Real>& values);
 
-/// potentials[original number of k] = Σ weights of point k · grid values                 (F.4)
-void interpolate(const Grid& grid, const CellPoints& points, const Complex* values,
-                 Complex* potentials);
+/// Potential k = Σ weights of point k · grid values                                       (F.4)
+template <class Real>
+void interpolate(const Grid& grid, const CellPoints& points, const GridData<Real>& values,
+                 Real* potentials_re, Real* potentials_im);
 
 }  // namespace floe::fmm::pfft

@@ -29,7 +29,7 @@ struct PfftOptions {
 /// and what they cost.
 struct PfftDesign {
   int stencil = 0;           ///< points a direction, w
-  int near_radius = 0;       ///< spacings, between the cells of two points
+  double near_radius = 0.0;  ///< spacings, between the cells of two points
   double spacing = 0.0;      ///< of the grid [m]
   Index nx = 0, ny = 0;      ///< grid points along the longer and the shorter side
   double near_pairs = 0.0;   ///< (target, source) pairs that are corrected

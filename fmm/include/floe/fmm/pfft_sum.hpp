@@ -7,6 +7,10 @@
 
 namespace floe::fmm {
 
+namespace pfft {
+class Engine;
+}
+
 /// Pre-corrected FFT (F.4)–(F.6): charges are projected onto a regular grid, the grid is convolved
 /// with the kernel by FFT, potentials are interpolated, and for near pairs the grid's value is
 /// replaced by the kernel itself. For points that fill much of their bounding rectangle.
@@ -36,9 +40,8 @@ class PfftSum final : public KernelSum {
   const PfftPlan& plan() const { return *plan_; }
 
  private:
-  struct State;
   std::shared_ptr<const PfftPlan> plan_;
-  std::unique_ptr<const State> state_;
+  std::unique_ptr<const pfft::Engine> engine_;
 };
 
 }  // namespace floe::fmm
