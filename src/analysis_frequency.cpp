@@ -1,6 +1,5 @@
 #include "analysis_stages.hpp"
 
-#include <floe/bem/dense_pressure_operator.hpp>
 #include <floe/coupling/modal_equation.hpp>
 #include <floe/hydro/surface_integrals.hpp>
 #include <floe/hydro/wave_field.hpp>
@@ -14,8 +13,11 @@
 namespace floe {
 namespace {
 
-// A direct solution is good to rounding times the condition number, which stays below 1e4
-constexpr double kDenseResidualLimit = 1e-10;
+// The residual that a solution must have. A direct one is good to rounding times the condition
+// number, which stays below 1e4
+double residual_limit(const Case& data, const FluidModel& fluid) {
+  return fluid.operators.method == SolverMethod::kDense ? 1e-10 : 1.001 * data.tolerance;
+}
 
 // Headings whose node fields are wanted at this frequency; nothing asked for means the first
 // heading at ten frequencies at most, evenly spread
@@ -46,8 +48,8 @@ bool wants_pressure(const Case& data) {
 }
 
 // Total pressure under the moving plate, N × the headings listed
-MatXcd total_pressure(const bem::PressureOperator& pressure_operator, const FluidModel& fluid,
-                      const hydro::Radiation& radiation, const wave::Water& water,
+MatXcd total_pressure(const Case& data, const bem::PressureOperator& pressure_operator,
+                      const FluidModel& fluid, const hydro::Radiation& radiation,
                       double wavenumber, const std::vector<Index>& headings,
                       const MatXcd& amplitudes) {
   std::vector<double> heading;
@@ -58,7 +60,8 @@ MatXcd total_pressure(const bem::PressureOperator& pressure_operator, const Flui
   }
   const MatXcd elevation =
       hydro::incident_elevation(fluid.integrals.mesh().nodes(), wavenumber, heading);
-  return hydro::solve_diffraction(pressure_operator, elevation, water, kDenseResidualLimit) +
+  return hydro::solve_diffraction(pressure_operator, elevation, data.water,
+                                  residual_limit(data, fluid)) +
          radiation.pressure * chosen;
 }
 
@@ -108,8 +111,8 @@ void add_pressure_results(const Case& data, const PlateModel& plate, const Fluid
     std::iota(headings.begin(), headings.end(), Index{0});
   }
   if (headings.empty()) return;
-  const MatXcd pressure = total_pressure(pressure_operator, fluid, radiation, data.water,
-                                         result.wavenumber, headings, result.amplitudes);
+  const MatXcd pressure = total_pressure(data, pressure_operator, fluid, radiation, result.wavenumber,
+                                         headings, result.amplitudes);
 
   if (all) add_pressures(data, fluid, pressure, result);
   if (plate.correction) add_static_correction(data, plate, fluid, pressure, result);
@@ -154,13 +157,13 @@ FrequencyResult solve_frequency(const Case& data, const PlateModel& plate, const
     return green::GreenTable(green::GreenFunction(nu, data.water.depth), fluid.reach);
   });
   const auto pressure_operator = clock.time("operator", [&] {
-    return std::make_unique<const bem::DensePressureOperator>(fluid.integrals, green);
+    return make_operator(data, fluid, green);
   });
 
   // Radiate every mode, get the exciting forces from reciprocity
   const hydro::Radiation radiation = clock.time("radiation", [&] {
     return hydro::solve_radiation(*pressure_operator, fluid.deflection, fluid.surface_mass, omega,
-                                  data.water, kDenseResidualLimit);
+                                  data.water, residual_limit(data, fluid));
   });
   clock.time("exciting forces", [&] {
     result.exciting_force = hydro::exciting_forces(
@@ -184,7 +187,8 @@ FrequencyResult solve_frequency(const Case& data, const PlateModel& plate, const
   result.added_mass = radiation.added_mass;
   result.damping = radiation.damping;
   result.report.method = pressure_operator->method();
-  result.report.applications = 2 * radiation.pressure.cols();
+  result.report.iterations = static_cast<int>(radiation.work.iterations);
+  result.report.applications = radiation.work.applications;
   result.report.true_residual = radiation.true_residual;
   result.report.kernel_error = green.sampled_error(200);
   result.report.reciprocity_error = hydro::reciprocity_error(radiation, omega);

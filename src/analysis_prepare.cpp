@@ -109,7 +109,8 @@ PlateModel prepare_plate(const Case& data, const Meshes& meshes) {
 
 FluidModel prepare_fluid(const Case& data, const Meshes& meshes, const PlateModel& plate) {
   const mesh::Q8Mesh& mesh = meshes.fluid;
-  FluidModel fluid{.integrals = bem::ElementIntegrals(mesh),
+  FluidModel fluid{.operators = prepare_operators(data, mesh),
+                   .integrals = bem::ElementIntegrals(mesh),
                    .surface_mass = hydro::surface_mass(mesh),
                    .deflection = plate.fluid_modes.shape(
                        Eigen::seq(0, Eigen::last, plate::kUnknownsPerNode), Eigen::all),
@@ -127,6 +128,7 @@ FluidModel prepare_fluid(const Case& data, const Meshes& meshes, const PlateMode
     upper = upper.cwiseMax(fluid.wave_points.col(i));
   }
   fluid.reach = 1.001 * (upper - lower).norm();
+  if (fluid.operators.sums) fluid.reach = std::max(fluid.reach, fluid.operators.sums->reach());
   return fluid;
 }
 

@@ -2,6 +2,9 @@
 
 #include <floe/analysis.hpp>
 #include <floe/bem/element_integrals.hpp>
+#include <floe/bem/fast_pressure_operator.hpp>
+#include <floe/bem/lattice_pressure_operator.hpp>
+#include <floe/bem/pressure_operator.hpp>
 #include <floe/hydro/radiation.hpp>
 #include <floe/numeric/memory.hpp>
 #include <floe/plate/static_correction.hpp>
@@ -57,8 +60,16 @@ struct PlateModel {
   SparseMatrix to_fluid;  ///< from the plate's own mesh to the fluid's nodes; empty if they are one
 };
 
+/// What an operator needs at every frequency, according to the method.
+struct FluidOperators {
+  SolverMethod method = SolverMethod::kDense;  ///< never kAuto
+  std::shared_ptr<const bem::LatticePlan> lattice;
+  std::shared_ptr<const bem::FastPressurePlan> sums;
+};
+
 /// What the fluid needs at every frequency.
 struct FluidModel {
+  FluidOperators operators;
   bem::ElementIntegrals integrals;
   SparseMatrix surface_mass;
   MatXd deflection;        ///< w of the modes at the fluid's nodes, N × q
@@ -70,7 +81,11 @@ struct FluidModel {
 
 Meshes prepare_meshes(const Case& data, Log& log);
 PlateModel prepare_plate(const Case& data, const Meshes& meshes);
+FluidOperators prepare_operators(const Case& data, const mesh::Q8Mesh& mesh);
 FluidModel prepare_fluid(const Case& data, const Meshes& meshes, const PlateModel& plate);
+std::unique_ptr<const bem::PressureOperator> make_operator(const Case& data,
+                                                           const FluidModel& fluid,
+                                                           const green::GreenTable& green);
 FrequencyResult solve_frequency(const Case& data, const PlateModel& plate, const FluidModel& fluid,
                                 double omega, StageClock& clock);
 

@@ -1,5 +1,7 @@
+#include <floe/bem/element_lattice.hpp>
 #include <floe/estimate.hpp>
 #include <floe/numeric/error.hpp>
+#include <floe/numeric/memory.hpp>
 
 #include <fmt/format.h>
 
@@ -17,6 +19,9 @@ constexpr double kSparseRate = 2e9;        // sparse Cholesky and its solves [fl
 constexpr double kBytesOfProgram = 5e7;    // code, libraries, tables
 constexpr double kPointsPerElement = 9.0;  // far quadrature
 constexpr double kNearWork = 2000.0;       // kernel evaluations of the near elements, one node
+constexpr double kApplicationsPerColumn = 15.0;  // of a fast operator, preconditioned
+constexpr double kBytesOfIntegrals = 1000.0;      // rules, locator and sources, a node
+constexpr double kLargestDense = 500.0 ;          // nodes up to which `auto` is dense
 constexpr double kLanczosSolves = 4.0;     // solves per mode
 
 struct Sizes {
@@ -59,6 +64,30 @@ StageEstimate estimate_dense_radiation(const Sizes& s, int threads) {
           .seconds = s.frequencies * (assembly + factor + solve) / threads};
 }
 
+// Cost of one application, of a set-up and of the bytes held, a node
+struct MethodCost {
+  double application, setup, bytes;  // [s] of one thread, [s] of one thread, [byte]
+};
+
+MethodCost cost_of(SolverMethod method) {
+  if (method == SolverMethod::kLattice) return {1.5e-7, 1.5e-6, 500.0};
+  if (method == SolverMethod::kPfft) return {6e-7, 1.5e-4, 4500.0};
+  return {1.1e-6, 1.6e-4, 7000.0};
+}
+
+StageEstimate estimate_iterative_radiation(const Sizes& s, SolverMethod method, double krylov,
+                                           int threads) {
+  const MethodCost cost = cost_of(method);
+  const double columns = s.modes + s.headings;
+  const double directions = kApplicationsPerColumn * columns;
+  const double work = s.nodes * (cost.setup + directions * cost.application) +
+                      16.0 * s.nodes * directions * directions / kFactorRate;
+  return {.stage = "radiation",
+          .memory = s.nodes * (cost.bytes + kBytesOfIntegrals) + krylov +
+                    16.0 * s.nodes * (4.0 * s.modes + 2.0 * s.headings),
+          .seconds = s.frequencies * work / threads};
+}
+
 StageEstimate estimate_response(const Sizes& s) {
   const double work =
       8.0 * s.headings * s.modes * (s.outputs + 4.0 * s.nodes) + 8.0 * std::pow(s.modes, 3);
@@ -69,13 +98,40 @@ StageEstimate estimate_response(const Sizes& s) {
 
 }  // namespace
 
+const char* method_name(SolverMethod method) {
+  constexpr std::array<const char*, 5> names = {"auto", "dense", "lattice", "pfft", "fmm"};
+  return names[static_cast<std::size_t>(method)];
+}
+
+SolverMethod resolve_method(const Case& data, const mesh::Q8Mesh& mesh) {
+  if (data.method != SolverMethod::kAuto) return data.method;
+  if (static_cast<double>(mesh.node_count()) <= kLargestDense) return SolverMethod::kDense;
+  const Point2 extent = mesh.upper() - mesh.lower();
+  const bool filled = mesh.area() >= extent.x() * extent.y() / 6.0;
+  if (!filled) return SolverMethod::kFmm;
+  return bem::find_element_lattice(mesh) ? SolverMethod::kLattice : SolverMethod::kPfft;
+}
+
+double krylov_memory(const Case& data, const mesh::Q8Mesh& mesh) {
+  // Some 20 directions a column, and scratch beside them; several steps where the budget is small
+  const double columns = static_cast<double>(data.mode_count);
+  const double wanted = 16.0 * static_cast<double>(mesh.node_count()) * columns * 32.0;
+  const double budget = numeric::memory_budget(data.memory_limit, numeric::memory_limits());
+  return std::min(wanted, 0.5 * budget);
+}
+
 Estimate estimate(const Case& data, const mesh::Q8Mesh& mesh, int threads) {
   const Sizes s = sizes_of(data, mesh);
   Estimate needed;
-  needed.method = "dense";
+  const SolverMethod method = resolve_method(data, mesh);
+  needed.method = method_name(method);
   needed.nodes = mesh.node_count();
-  needed.stages = {estimate_modes(s), estimate_dense_radiation(s, std::max(1, threads)),
-                   estimate_response(s)};
+  const StageEstimate radiation =
+      method == SolverMethod::kDense
+          ? estimate_dense_radiation(s, std::max(1, threads))
+          : estimate_iterative_radiation(s, method, krylov_memory(data, mesh),
+                                         std::max(1, threads));
+  needed.stages = {estimate_modes(s), radiation, estimate_response(s)};
   needed.knobs = "a coarser mesh, fewer modes, a larger --memory";
 
   // Mode shapes and the mesh live through all stages

@@ -43,7 +43,11 @@ struct FieldRequest {
   double heading_deg = 0.0;  ///< one of Case::heading_deg
 };
 
-enum class SolverMethod { kAuto, kDense };
+/// How the fluid's equation is solved: dense LU, or GMRES on a fast operator.
+enum class SolverMethod { kAuto, kDense, kLattice, kPfft, kFmm };
+
+/// "auto", "dense", "lattice", "pfft", "fmm", as case files and run.json have it.
+const char* method_name(SolverMethod method);
 
 /// Everything that a case file says, resolved to SI units. See docs/conventions.md.
 struct Case {
@@ -69,7 +73,7 @@ struct Case {
 /// What a frequency's solution is worth.
 struct FrequencyReport {
   double omega = 0.0;              ///< [rad/s]
-  std::string method;              ///< "dense"
+  std::string method;              ///< method_name of what was used
   int iterations = 0;              ///< 0 for a direct solution
   long applications = 0;           ///< operator applications
   double true_residual = 0.0;      ///< largest ‖b - Ax‖/‖b‖ over all columns

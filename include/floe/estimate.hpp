@@ -16,13 +16,22 @@ struct StageEstimate {
 };
 
 struct Estimate {
-  std::string method;  ///< the method that the run will use: "dense"
+  std::string method;  ///< name of the method that the run will use
   Index nodes = 0;     ///< of the fluid's mesh
   std::vector<StageEstimate> stages;
   double memory = 0.0;   ///< the largest of the stages, plus what all of them share [byte]
   double seconds = 0.0;  ///< the sum of the stages
   std::string knobs;     ///< what the user can turn to need less
 };
+
+/// The method that a case gets: its own, or for `auto` dense up to 500 nodes, the lattice where
+/// elements are equal and fill a sixth of the bounding rectangle, pFFT where any others do, else
+/// FMM.
+SolverMethod resolve_method(const Case& data, const mesh::Q8Mesh& mesh);
+
+/// Memory that the Krylov space of an iterative solution may take [byte]: what all modes need
+/// together, at most half of the budget.
+double krylov_memory(const Case& data, const mesh::Q8Mesh& mesh);
 
 /// Sizes follow from the counts of the case; times from fixed rates of a current core (a factor of
 /// two either way), so that the same case gives the same plan on every machine. `threads` ≥ 1.

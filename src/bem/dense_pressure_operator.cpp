@@ -50,6 +50,9 @@ void DensePressureOperator::apply(const Eigen::Ref<const MatXcd>& x, Eigen::Ref<
   }
 }
 
-void DensePressureOperator::solve(Eigen::Ref<MatXcd> rhs) const { factors_.solve(rhs); }
+SolveReport DensePressureOperator::solve(Eigen::Ref<MatXcd> rhs) const {
+  factors_.solve(rhs);
+  return {};
+}
 
 }  // namespace floe::bem

@@ -49,7 +49,7 @@ class FarRules {
   double least_gap(int tier) const { return least_gap_[tier]; }
 
   /// Points of a rule.
-  static int size(int tier) { return kOrders[tier] * kOrders[tier]; }
+  static constexpr int size(int tier) { return kOrders[tier] * kOrders[tier]; }
 
   /// Positions [m] and areas [m²] of the points of one element, size(tier) numbers each.
   void fill_points(int tier, Index element, double* x, double* y, double* area) const;

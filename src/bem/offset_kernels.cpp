@@ -22,9 +22,10 @@ class TargetRun {
   void add(const Point2& target, Index column, int tier) {
     const int size = FarRules::size(tier);
     if (tier != tier_ || (count_ + 1) * size > kBatchPoints) flush();
+    if (tier != tier_) rules_.fill_points(tier, 0, x_.data(), y_.data(), area_.data());
     tier_ = tier;
     if (count_ == 0) first_ = column;
-    fill_distances(target, rules_.x(tier, 0), rules_.y(tier, 0), static_cast<std::size_t>(size),
+    fill_distances(target, x_.data(), y_.data(), static_cast<std::size_t>(size),
                    distance_.data() + count_ * size);
     ++count_;
   }
@@ -36,8 +37,9 @@ class TargetRun {
     green_.evaluate({distance_.data(), points}, {value_.data(), points});
     for (int k = 0; k < count_; ++k) {
       std::array<Complex, 8> sum;
-      sum_weighted(rules_.weight(tier_, 0), value_.data() + static_cast<std::size_t>(k) * size,
-                   size, sum.data());
+      Complex* const value = value_.data() + static_cast<std::size_t>(k) * size;
+      scale_values(area_.data(), size, value);
+      sum_weighted(rules_.shape(tier_), value, size, sum.data());
       for (int m = 0; m < 8; ++m) kernels_(nodes_(m, 0), first_ + k) = sum[m];
     }
     count_ = 0;
@@ -50,6 +52,7 @@ class TargetRun {
   OffsetKernels& kernels_;           // view
   int tier_ = -1, count_ = 0;
   Index first_ = 0;
+  std::array<double, FarRules::size(FarRules::kTiers - 1)> x_, y_, area_;  // of the present tier
   std::array<double, kBatchPoints> distance_;
   std::array<Complex, kBatchPoints> value_;
 };

@@ -10,11 +10,16 @@
 namespace floe::hydro {
 namespace {
 
-// Solves A X = B and tells the largest residual of a column; `what` names a column in errors
-double solve_checked(const bem::PressureOperator& pressure_operator, MatXcd& x, const char* what,
+struct Checked {
+  double residual;  // largest of a column
+  bem::SolveReport work;
+};
+
+// Solves A X = B and recomputes the residuals; `what` names a column in errors
+Checked solve_checked(const bem::PressureOperator& pressure_operator, MatXcd& x, const char* what,
                      double residual_limit) {
   const MatXcd rhs = x;
-  pressure_operator.solve(x);
+  bem::SolveReport work = pressure_operator.solve(x);
   MatXcd image(x.rows(), x.cols());
   pressure_operator.apply(x, image);
   double worst = 0.0;
@@ -25,7 +30,8 @@ double solve_checked(const bem::PressureOperator& pressure_operator, MatXcd& x, 
                                          << " (must be at most " << residual_limit << ")");
     worst = std::max(worst, residual);
   }
-  return worst;
+  work.applications += x.cols();
+  return {worst, work};
 }
 
 }  // namespace
@@ -37,8 +43,10 @@ Radiation solve_radiation(const bem::PressureOperator& pressure_operator,
   const double weight = water.density * water.gravity;
   Radiation result;
   result.pressure = -weight * deflection.cast<Complex>();
-  result.true_residual =
+  const Checked solved =
       solve_checked(pressure_operator, result.pressure, "radiation mode", residual_limit);
+  result.true_residual = solved.residual;
+  result.work = solved.work;
 
   // Project on the modes, then take the hydrostatic part out
   const MatXd weighted = surface_mass * deflection;

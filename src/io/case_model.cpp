@@ -129,9 +129,11 @@ void read_solver(const Section& root, Case& data) {
                            fmt::format("invalid {} (must be {})", given, fmt::join(ready, " or ")));
   };
   const std::string method =
-      choose("method", "auto", {"auto", "dense"}, {"lattice", "pfft", "fmm"});
+      choose("method", "auto", {"auto", "dense", "lattice", "pfft", "fmm"}, {});
   choose("route", "modal", {"modal"}, {"direct"});
-  data.method = method == "dense" ? SolverMethod::kDense : SolverMethod::kAuto;
+  for (const SolverMethod candidate : {SolverMethod::kDense, SolverMethod::kLattice,
+                                       SolverMethod::kPfft, SolverMethod::kFmm})
+    if (method == method_name(candidate)) data.method = candidate;
   const NumberRule tolerance{"", "must be 1e-9 to 1e-1",
                              [](double x) { return x >= 1e-9 && x <= 1e-1; }};
   data.tolerance = solver.number_or("tolerance", tolerance, data.tolerance);

@@ -71,7 +71,7 @@ Json options_json(const Case& data) {
           {"modes", {{"count", data.mode_count}}},
           {"waves", {{"omega", data.omega}, {"heading_deg", data.heading_deg}}},
           {"solver",
-           {{"method", data.method == SolverMethod::kDense ? "dense" : "auto"},
+           {{"method", method_name(data.method)},
             {"route", "modal"},
             {"tolerance", data.tolerance}}},
           {"output", output_json(data)},

@@ -20,7 +20,7 @@ class DensePressureOperator final : public PressureOperator {
 
   Index size() const override { return matrix_.rows(); }
   void apply(const Eigen::Ref<const MatXcd>& x, Eigen::Ref<MatXcd> y) const override;
-  void solve(Eigen::Ref<MatXcd> rhs) const override;
+  SolveReport solve(Eigen::Ref<MatXcd> rhs) const override;
   const char* method() const override { return "dense"; }
 
  private:

@@ -16,6 +16,7 @@ struct Radiation {
   MatXd added_mass;     ///< a, q × q
   MatXd damping;        ///< b, q × q
   double true_residual = 0.0;  ///< largest ‖b - Ax‖/‖b‖ of a column, recomputed
+  bem::SolveReport work;       ///< the recomputed residual included
 };
 
 /// Solves the radiation problems of all modes, paper (13b), (15)–(17). `deflection` is w, N × q;
