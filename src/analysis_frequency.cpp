@@ -49,9 +49,8 @@ bool wants_pressure(const Case& data) {
 
 // Total pressure under the moving plate, N × the headings listed
 MatXcd total_pressure(const Case& data, const bem::PressureOperator& pressure_operator,
-                      const FluidModel& fluid, const hydro::Radiation& radiation,
-                      double wavenumber, const std::vector<Index>& headings,
-                      const MatXcd& amplitudes) {
+                      const FluidModel& fluid, const hydro::Radiation& radiation, double wavenumber,
+                      const std::vector<Index>& headings, const MatXcd& amplitudes) {
   std::vector<double> heading;
   MatXcd chosen(amplitudes.rows(), static_cast<Index>(headings.size()));
   for (std::size_t i = 0; i < headings.size(); ++i) {
@@ -111,8 +110,8 @@ void add_pressure_results(const Case& data, const PlateModel& plate, const Fluid
     std::iota(headings.begin(), headings.end(), Index{0});
   }
   if (headings.empty()) return;
-  const MatXcd pressure = total_pressure(data, pressure_operator, fluid, radiation, result.wavenumber,
-                                         headings, result.amplitudes);
+  const MatXcd pressure = total_pressure(data, pressure_operator, fluid, radiation,
+                                         result.wavenumber, headings, result.amplitudes);
 
   if (all) add_pressures(data, fluid, pressure, result);
   if (plate.correction) add_static_correction(data, plate, fluid, pressure, result);
@@ -156,9 +155,8 @@ FrequencyResult solve_frequency(const Case& data, const PlateModel& plate, const
     const double nu = wave::deep_wavenumber(omega, data.water);
     return green::GreenTable(green::GreenFunction(nu, data.water.depth), fluid.reach);
   });
-  const auto pressure_operator = clock.time("operator", [&] {
-    return make_operator(data, fluid, green);
-  });
+  const auto pressure_operator =
+      clock.time("operator", [&] { return make_operator(data, fluid, green); });
 
   // Radiate every mode, get the exciting forces from reciprocity
   const hydro::Radiation radiation = clock.time("radiation", [&] {

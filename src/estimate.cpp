@@ -20,9 +20,9 @@ constexpr double kBytesOfProgram = 5e7;    // code, libraries, tables
 constexpr double kPointsPerElement = 9.0;  // far quadrature
 constexpr double kNearWork = 2000.0;       // kernel evaluations of the near elements, one node
 constexpr double kApplicationsPerColumn = 15.0;  // of a fast operator, preconditioned
-constexpr double kBytesOfIntegrals = 1000.0;      // rules, locator and sources, a node
-constexpr double kLargestDense = 500.0 ;          // nodes up to which `auto` is dense
-constexpr double kLanczosSolves = 4.0;     // solves per mode
+constexpr double kBytesOfIntegrals = 1000.0;     // rules, locator and sources, a node
+constexpr double kLargestDense = 500.0;          // nodes up to which `auto` is dense
+constexpr double kLanczosSolves = 4.0;           // solves per mode
 
 struct Sizes {
   double nodes, elements, modes, headings, frequencies, outputs;

@@ -70,13 +70,13 @@ class TargetIntegrals {
     for (Index k = 0; k < count; ++k) {
       const Index element = element_of(k);
       if (add_singular(element)) {
-        sink(k, sum_points());
+        sink(k, sum_points(element));
         continue;
       }
       const int tier = tier_for(element);
       if (tier == FarRules::kTooNear) {
         add_near_points(target_, mesh_.element_nodes(element), wavenumber_, rules_, points_);
-        sink(k, sum_points());
+        sink(k, sum_points(element));
         continue;
       }
       batches_[tier].add(k, element);
@@ -91,7 +91,7 @@ class TargetIntegrals {
     for (const mesh::ElementPoint& holder : holders_)
       if (holder.element == element) {
         add_singular_points(mesh_.element_nodes(element), holder.xi, holder.eta, wavenumber_,
-                            green_.exact().depth(), points_);
+                            green_.exact().depth(), rules_.singular_order(), points_);
         return true;
       }
     return false;
@@ -105,10 +105,10 @@ class TargetIntegrals {
                     rules_.tier_for_wave(wavenumber_, half_edge));
   }
 
-  std::array<Complex, 8> sum_points() {
+  std::array<Complex, 8> sum_points(Index element) {
+    points_.map(mesh_.element_nodes(element));
     std::array<Complex, 8> sum;
-    sum_kernel(target_, points_.x.data(), points_.y.data(), points_.weight.data(), points_.count(),
-               green_, buffer_, sum.data());
+    sum_kernel(target_, points_, green_, buffer_, sum.data());
     points_.clear();
     return sum;
   }

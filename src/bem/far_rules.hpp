@@ -45,6 +45,8 @@ class FarRules {
   int tier_for_wave(double wavenumber, double half_edge) const;
   /// First tier good for a target whose distance from the cell is `gap`.
   int tier_for_gap(double gap, double half_edge) const;
+  /// Gauss points a direction that an element holding its target needs (B.5)–(B.7).
+  int singular_order() const { return singular_order_; }
   /// Smallest gap / half edge at which tier `tier` is good.
   double least_gap(int tier) const { return least_gap_[tier]; }
 
@@ -59,6 +61,7 @@ class FarRules {
 
  private:
   Points2 centre_;
+  int singular_order_;
   VecXd half_edge_, radius_;
   std::array<double, kTiers> least_gap_{};      // in half edges
   std::array<double, kTiers> largest_phase_{};  // ka

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <unordered_map>
+#include <utility>
 
 namespace floe::bem {
 namespace {
@@ -71,15 +72,23 @@ void NearPattern::find_pairs(const mesh::Q8Mesh& mesh, const SourceRule& rule, d
   std::vector<std::vector<std::int32_t>> near = elements_within(mesh, tree, radius);
   const auto owners =
       rule.at_nodes() ? owners_of_nodes(mesh) : std::vector<std::vector<std::int32_t>>();
-#pragma omp parallel for schedule(dynamic, 64)
-  for (Index i = 0; i < count; ++i) {
-    for (const Index source : near_sources(i)) {
-      if (rule.at_nodes())
-        near[i].insert(near[i].end(), owners[source].begin(), owners[source].end());
-      else
-        near[i].push_back(static_cast<std::int32_t>(source / rule.points_per_element()));
+#pragma omp parallel
+  {
+    std::vector<Index> found_for(mesh.element_count(), -1);
+#pragma omp for schedule(dynamic, 64)
+    for (Index i = 0; i < count; ++i) {
+      for (const std::int32_t element : near[i]) found_for[element] = i;
+      const auto add = [&](std::int32_t element) {
+        if (std::exchange(found_for[element], i) != i) near[i].push_back(element);
+      };
+      for (const Index source : near_sources(i)) {
+        if (rule.at_nodes())
+          for (const std::int32_t element : owners[source]) add(element);
+        else
+          add(static_cast<std::int32_t>(source / rule.points_per_element()));
+      }
+      std::sort(near[i].begin(), near[i].end());
     }
-    sort_unique(near[i]);
   }
 
   pair_begin_.assign(count + 1, 0);
@@ -111,12 +120,19 @@ void NearPattern::number_kinds(const mesh::Q8Mesh& mesh) {
 void NearPattern::number_entries(const mesh::Q8Mesh& mesh) {
   // Collect the columns of each row, then of each block
   std::vector<std::vector<std::int32_t>> row_columns(rows());
-#pragma omp parallel for schedule(dynamic, 64)
-  for (Index row = 0; row < rows(); ++row) {
-    for (std::size_t k = pair_begin_[row]; k < pair_begin_[row + 1]; ++k)
-      for (int m = 0; m < 8; ++m)
-        row_columns[row].push_back(static_cast<std::int32_t>(mesh.elements()(m, pair_element_[k])));
-    sort_unique(row_columns[row]);
+#pragma omp parallel
+  {
+    std::vector<Index> found_for(mesh.node_count(), -1);
+#pragma omp for schedule(dynamic, 64)
+    for (Index row = 0; row < rows(); ++row) {
+      for (std::size_t k = pair_begin_[row]; k < pair_begin_[row + 1]; ++k)
+        for (int m = 0; m < 8; ++m) {
+          const Index node = mesh.elements()(m, pair_element_[k]);
+          if (std::exchange(found_for[node], row) != row)
+            row_columns[row].push_back(static_cast<std::int32_t>(node));
+        }
+      std::sort(row_columns[row].begin(), row_columns[row].end());
+    }
   }
   entry_begin_.assign(rows() + 1, 0);
   for (Index row = 0; row < rows(); ++row)

@@ -8,7 +8,8 @@ namespace floe::bem {
 namespace {
 
 // Sums of one row are kept in kLanes parts, entry k in part k mod kLanes, whatever the number of
-// columns, so that a column has the same bits alone and among others
+// columns, and each product is added by itself, so that a fused multiply-add can be made in one way
+// only: a column has the same bits alone and among others
 constexpr int kLanes = 4;
 
 // sum (re, im) of one row for one column; gathered holds re, im of each column entry
@@ -17,21 +18,25 @@ constexpr int kLanes = 4;
 
 template <class Real>
 FLOE_INLINE void sum_row(const Real* value, const std::uint16_t* column, std::size_t count,
-                    const double* gathered, double* sum) {
+                         const double* gathered, double* sum) {
   double re[kLanes] = {}, im[kLanes] = {};
   std::size_t k = 0;
   for (; k + kLanes <= count; k += kLanes)
     for (int lane = 0; lane < kLanes; ++lane) {
       const double a = value[2 * (k + lane)], b = value[2 * (k + lane) + 1];
       const double* x = gathered + 2 * column[k + lane];
-      re[lane] += a * x[0] - b * x[1];
-      im[lane] += a * x[1] + b * x[0];
+      re[lane] += a * x[0];
+      re[lane] -= b * x[1];
+      im[lane] += a * x[1];
+      im[lane] += b * x[0];
     }
   for (int lane = 0; k < count; ++k, ++lane) {
     const double a = value[2 * k], b = value[2 * k + 1];
     const double* x = gathered + 2 * column[k];
-    re[lane] += a * x[0] - b * x[1];
-    im[lane] += a * x[1] + b * x[0];
+    re[lane] += a * x[0];
+    re[lane] -= b * x[1];
+    im[lane] += a * x[1];
+    im[lane] += b * x[0];
   }
   sum[0] = (re[0] + re[1]) + (re[2] + re[3]);
   sum[1] = (im[0] + im[1]) + (im[2] + im[3]);
@@ -42,13 +47,15 @@ using Vector = double __attribute__((vector_size(8 * kNearColumns), aligned(8)))
 // The same for kNearColumns columns; gathered holds all re, then all im, of each column entry
 template <class Real>
 FLOE_INLINE void sum_row_of_many(const Real* value, const std::uint16_t* column, std::size_t count,
-                            const double* gathered, Vector* sum) {
+                                 const double* gathered, Vector* sum) {
   Vector re[kLanes] = {}, im[kLanes] = {};
   const auto add = [&](std::size_t k, int lane) __attribute__((always_inline)) {
     const double a = value[2 * k], b = value[2 * k + 1];
     const auto* x = reinterpret_cast<const Vector*>(gathered + 2 * kNearColumns * column[k]);
-    re[lane] += a * x[0] - b * x[1];
-    im[lane] += a * x[1] + b * x[0];
+    re[lane] += a * x[0];
+    re[lane] -= b * x[1];
+    im[lane] += a * x[1];
+    im[lane] += b * x[0];
   };
   std::size_t k = 0;
   for (; k + kLanes <= count; k += kLanes)
@@ -60,7 +67,7 @@ FLOE_INLINE void sum_row_of_many(const Real* value, const std::uint16_t* column,
 
 template <class Real>
 FLOE_INLINE void sum_rows(const NearPattern& pattern, Index first, Index last, const Real* value,
-                     const double* gathered, Index columns, double* sums) {
+                          const double* gathered, Index columns, double* sums) {
   for (Index row = first; row < last; ++row) {
     const std::size_t begin = pattern.entry_begin(row);
     const std::size_t count = pattern.entry_begin(row + 1) - begin;
@@ -121,5 +128,7 @@ template void add_near_block<float>(const NearPattern&, Index, const float*,
 template void add_near_block<double>(const NearPattern&, Index, const double*,
                                      const Eigen::Ref<const MatXcd>&, double, std::vector<double>&,
                                      Eigen::Ref<MatXcd>);
+
+#undef FLOE_INLINE
 
 }  // namespace floe::bem

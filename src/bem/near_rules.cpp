@@ -10,8 +10,6 @@
 namespace floe::bem {
 namespace {
 
-constexpr int kRadialOrder = 12;
-constexpr int kEdgeOrder = 12;
 constexpr int kDeepestHalving = 60;
 
 double distance_to_segment(const Point2& p, const Point2& a, const Point2& b) {
@@ -51,7 +49,7 @@ void add_cell(const Point2& target, const ElementNodes& nodes, const Cell& cell,
     const double scale = cell.half.x() * cell.half.y();
     for (int i = 0; i < order; ++i)
       for (int j = 0; j < order; ++j)
-        points.add(nodes, cell.centre.x() + cell.half.x() * gauss.node[i],
+        points.add(cell.centre.x() + cell.half.x() * gauss.node[i],
                    cell.centre.y() + cell.half.y() * gauss.node[j],
                    scale * gauss.weight[i] * gauss.weight[j]);
     return;
@@ -80,13 +78,13 @@ struct Triangle {
   Point2 apex, first, second;  // parametric; the edge runs from apex + first to apex + second
 };
 
-void add_ray(const ElementNodes& nodes, const Triangle& triangle, double s, double edge_weight,
-             double length, double scale, QuadraturePoints& points) {
-  const auto& gauss = numeric::gauss_legendre(kRadialOrder);
+void add_ray(const Triangle& triangle, double s, double edge_weight, double length, double scale,
+             int order, QuadraturePoints& points) {
+  const auto& gauss = numeric::gauss_legendre(order);
   const Point2 edge = triangle.first + s * (triangle.second - triangle.first);
   const std::vector<double> breaks = radial_breaks(length, scale);
   for (std::size_t panel = 0; panel + 1 < breaks.size(); ++panel)
-    for (int i = 0; i < kRadialOrder; ++i) {
+    for (int i = 0; i < order; ++i) {
       const double half = 0.5 * (breaks[panel + 1] - breaks[panel]);
       double t = breaks[panel] + half * (1.0 + gauss.node[i]);
       double dt = half * gauss.weight[i];
@@ -97,11 +95,11 @@ void add_ray(const ElementNodes& nodes, const Triangle& triangle, double s, doub
         dt = breaks[1] * 3.0 * tau * tau * 0.5 * gauss.weight[i];
       }
       const Point2 at = triangle.apex + t * edge;
-      points.add(nodes, at.x(), at.y(), edge_weight * t * dt);
+      points.add(at.x(), at.y(), edge_weight * t * dt);
     }
 }
 
-void add_triangle(const ElementNodes& nodes, const Triangle& triangle, double scale,
+void add_triangle(const ElementNodes& nodes, const Triangle& triangle, double scale, int order,
                   QuadraturePoints& points) {
   const double twice_area = cross(triangle.first, triangle.second);
   if (twice_area <= 1e-12) return;
@@ -117,15 +115,15 @@ void add_triangle(const ElementNodes& nodes, const Triangle& triangle, double sc
 
   // s = s0 + b sinh u turns ds / length into du / a
   const double from = std::asinh(-s0 / b), to = std::asinh((1.0 - s0) / b);
-  const auto& gauss = numeric::gauss_legendre(kEdgeOrder);
+  const auto& gauss = numeric::gauss_legendre(order);
   const int panels = 1 + static_cast<int>((to - from) / 3.0);
   for (int panel = 0; panel < panels; ++panel)
-    for (int i = 0; i < kEdgeOrder; ++i) {
+    for (int i = 0; i < order; ++i) {
       const double half = 0.5 * (to - from) / panels;
       const double u = from + half * (2.0 * panel + 1.0 + gauss.node[i]);
       const double s = s0 + b * std::sinh(u);
       const double weight = half * gauss.weight[i] * b * std::cosh(u) * twice_area;
-      add_ray(nodes, triangle, s, weight, a * b * std::cosh(u), scale, points);
+      add_ray(triangle, s, weight, a * b * std::cosh(u), scale, order, points);
     }
 }
 
@@ -149,13 +147,13 @@ void add_near_points(const Point2& target, const ElementNodes& nodes, double wav
 }
 
 void add_singular_points(const ElementNodes& nodes, double xi, double eta, double wavenumber,
-                         double depth, QuadraturePoints& points) {
+                         double depth, int order, QuadraturePoints& points) {
   const Point2 apex(xi, eta);
   const double scale = std::min(depth, 1.0 / wavenumber);
   for (int side = 0; side < 4; ++side) {
     const Point2 first = mesh::q8_parametric_nodes().col(side) - apex;
     const Point2 second = mesh::q8_parametric_nodes().col((side + 1) % 4) - apex;
-    add_triangle(nodes, {apex, first, second}, scale, points);
+    add_triangle(nodes, {apex, first, second}, scale, order, points);
   }
 }
 

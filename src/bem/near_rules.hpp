@@ -18,6 +18,6 @@ void add_near_points(const Point2& target, const ElementNodes& nodes, double wav
 /// against the peak of 1/R in stretched elements (B.6), radial panels that double from R = `depth`
 /// and from a radian of wave, where G changes its shape (B.7).
 void add_singular_points(const ElementNodes& nodes, double xi, double eta, double wavenumber,
-                         double depth, QuadraturePoints& points);
+                         double depth, int order, QuadraturePoints& points);
 
 }  // namespace floe::bem

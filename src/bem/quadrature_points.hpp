@@ -11,20 +11,25 @@ namespace floe::bem {
 
 using ElementNodes = Eigen::Matrix<double, 2, 8>;
 
-/// Quadrature points of one element: where they lie, and the eight shape functions there times the
-/// weight and the Jacobian.
+/// Quadrature points of one element, collected in the parametric plane and then mapped all at once.
 struct QuadraturePoints {
-  std::vector<double> x, y;    ///< [m]
-  std::vector<double> weight;  ///< 8 a point, weight · det J · N_m [m²]
+  std::vector<double> xi, eta, parametric_weight;  ///< the weight in dξ dη
+  std::vector<double> x, y, area;  ///< after `map`: position [m], weight · det J [m²]
+  std::vector<double> monomial;    ///< after `map`: 8 a point, 1 ξ η ξ² ξη η² ξ²η ξη²
 
-  std::size_t count() const { return x.size(); }
+  std::size_t count() const { return xi.size(); }
   void clear() {
-    x.clear();
-    y.clear();
-    weight.clear();
+    xi.clear();
+    eta.clear();
+    parametric_weight.clear();
   }
-  /// Adds the point (ξ, η) of an element; `parametric_weight` is the weight in dξ dη.
-  void add(const ElementNodes& nodes, double xi, double eta, double parametric_weight);
+  void add(double at_xi, double at_eta, double weight) {
+    xi.push_back(at_xi);
+    eta.push_back(at_eta);
+    parametric_weight.push_back(weight);
+  }
+  /// Fills positions, areas and monomials in an element of these nodes.
+  void map(const ElementNodes& nodes);
 };
 
 /// Scratch of one thread.
@@ -33,10 +38,10 @@ struct KernelBuffer {
   std::vector<Complex> value;
 };
 
-/// sum[m] = Σ_p weight[8p + m] G(|target - (x_p, y_p)|), m = 0 … 7. All distances must be positive.
-void sum_kernel(const Point2& target, const double* x, const double* y, const double* weight,
-                std::size_t count, const green::GreenTable& green, KernelBuffer& buffer,
-                Complex* sum);
+/// sum[m] = Σ_p area_p N_m(ξ_p, η_p) G(|target - (x_p, y_p)|), m = 0 … 7, of mapped points. All
+/// distances must be positive.
+void sum_kernel(const Point2& target, const QuadraturePoints& points,
+                const green::GreenTable& green, KernelBuffer& buffer, Complex* sum);
 
 /// value[p] *= factor[p].
 void scale_values(const double* factor, std::size_t count, Complex* value);

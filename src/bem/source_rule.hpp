@@ -11,7 +11,7 @@ namespace floe::bem {
 /// How the pressure on far elements is replaced by point charges: the matrix S of (F.2).
 enum class SourcePoints {
   /// The nodes themselves with the charges q = ∫ N p dS: G is interpolated by the shape functions
-  /// over each element (F.14). As many points as nodes.
+  /// over each element (F.21). As many points as nodes.
   kNodes,
   /// n × n Gauss points an element.
   kGauss3,

@@ -17,7 +17,7 @@ struct Checked {
 
 // Solves A X = B and recomputes the residuals; `what` names a column in errors
 Checked solve_checked(const bem::PressureOperator& pressure_operator, MatXcd& x, const char* what,
-                     double residual_limit) {
+                      double residual_limit) {
   const MatXcd rhs = x;
   bem::SolveReport work = pressure_operator.solve(x);
   MatXcd image(x.rows(), x.cols());

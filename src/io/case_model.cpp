@@ -131,8 +131,8 @@ void read_solver(const Section& root, Case& data) {
   const std::string method =
       choose("method", "auto", {"auto", "dense", "lattice", "pfft", "fmm"}, {});
   choose("route", "modal", {"modal"}, {"direct"});
-  for (const SolverMethod candidate : {SolverMethod::kDense, SolverMethod::kLattice,
-                                       SolverMethod::kPfft, SolverMethod::kFmm})
+  for (const SolverMethod candidate :
+       {SolverMethod::kDense, SolverMethod::kLattice, SolverMethod::kPfft, SolverMethod::kFmm})
     if (method == method_name(candidate)) data.method = candidate;
   const NumberRule tolerance{"", "must be 1e-9 to 1e-1",
                              [](double x) { return x >= 1e-9 && x <= 1e-1; }};

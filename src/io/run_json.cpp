@@ -63,19 +63,18 @@ Json options_json(const Case& data) {
                 {"loss_factor", p.loss_factor}};
   if (!data.plate_mesh.empty()) plate["mesh"] = json_of(data.plate_mesh.front());
   const Json depth = std::isinf(data.water.depth) ? Json("inf") : Json(data.water.depth);
-  return {{"title", data.title},
-          {"water",
-           {{"depth", depth}, {"density", data.water.density}, {"gravity", data.water.gravity}}},
-          {"plate", plate},
-          {"mesh", json_of(data.mesh)},
-          {"modes", {{"count", data.mode_count}}},
-          {"waves", {{"omega", data.omega}, {"heading_deg", data.heading_deg}}},
-          {"solver",
-           {{"method", method_name(data.method)},
-            {"route", "modal"},
-            {"tolerance", data.tolerance}}},
-          {"output", output_json(data)},
-          {"allow_coarse", data.allow_coarse}};
+  return {
+      {"title", data.title},
+      {"water",
+       {{"depth", depth}, {"density", data.water.density}, {"gravity", data.water.gravity}}},
+      {"plate", plate},
+      {"mesh", json_of(data.mesh)},
+      {"modes", {{"count", data.mode_count}}},
+      {"waves", {{"omega", data.omega}, {"heading_deg", data.heading_deg}}},
+      {"solver",
+       {{"method", method_name(data.method)}, {"route", "modal"}, {"tolerance", data.tolerance}}},
+      {"output", output_json(data)},
+      {"allow_coarse", data.allow_coarse}};
 }
 
 Json plan_json(const RunAccount& account) {

@@ -275,9 +275,8 @@ TEST(CaseFile, NamesFaultsOfTheOptionalSections) {
   const std::pair<const char*, const char*> table[] = {
       {"[modes]\ncount = 2", "case.toml:14:9: invalid modes.count = 2 (must be a whole number"},
       {"[solver]\nmethod = \"magic\"",
-       "case.toml:14:10: invalid solver.method = \"magic\" (must be auto or dense)"},
-      {"[solver]\nmethod = \"pfft\"",
-       "case.toml:14:10: solver.method = \"pfft\" is not available yet in this version ("},
+       "case.toml:14:10: invalid solver.method = \"magic\" (must be auto or dense or lattice or "
+       "pfft or fmm)"},
       {"[solver]\nroute = \"direct\"",
        "case.toml:14:9: solver.route = \"direct\" is not available yet in this version ("},
       {"[solver]\ntolerance = 1e-12",

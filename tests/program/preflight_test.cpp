@@ -85,7 +85,8 @@ TEST(Preflight, WarnsOfBadShapesAndUnits) {
 }
 
 TEST(Estimate, ChargesTheDenseMatrixAndItsFactors) {
-  const Case data = small_case();
+  Case data = small_case();
+  data.method = SolverMethod::kDense;
   const mesh::Q8Mesh mesh = rectangle(300.0, 60.0, 50, 10);
   const double matrices = 32.0 * 1621.0 * 1621.0;  // the matrix and its factors
   const Estimate needed = estimate(data, mesh, 1);
@@ -94,6 +95,16 @@ TEST(Estimate, ChargesTheDenseMatrixAndItsFactors) {
   EXPECT_GE(needed.memory, matrices);
   EXPECT_LE(needed.memory, 2.0 * matrices);
   EXPECT_LT(estimate(data, mesh, 2).seconds, needed.seconds);
+}
+
+TEST(Estimate, ChoosesTheMethodByTheMesh) {
+  Case data = small_case();
+  const auto chosen = [&](const mesh::Q8Mesh& mesh) { return resolve_method(data, mesh); };
+  EXPECT_EQ(chosen(rectangle(300.0, 60.0, 10, 2)), SolverMethod::kDense);
+  EXPECT_EQ(chosen(rectangle(300.0, 60.0, 50, 10)), SolverMethod::kLattice);
+  EXPECT_EQ(chosen(rectangle(300.0, 60.0, 50, 10, 3.0)), SolverMethod::kPfft);
+  data.method = SolverMethod::kFmm;
+  EXPECT_EQ(chosen(rectangle(300.0, 60.0, 10, 2)), SolverMethod::kFmm);
 }
 
 TEST(Estimate, RefusesBeyondTheBudgetNamingWhatHelps) {
