@@ -31,13 +31,25 @@ FLOE_SIMD_CLONES void combine(const double* const* from, const double* factor, i
   combine_rows(from, factor, terms, count, to);
 }
 
+// Weights along x and y
+template <class Real>
+void point_weights(const StencilPolynomials<Real>& polynomials, const Real* place,
+                   Real (&weight)[2][kWeights]) {
+  for (int axis = 0; axis < 2; ++axis) {
+    AxisWeights<Real> along;
+    polynomials.evaluate(place[axis], along);
+    for (int v = 0; v < AxisWeights<Real>::kVectors; ++v)
+      store(weight[axis] + kLanes<Real> * v, along.vector[v]);
+  }
+}
+
 // The box, and where sources' stencils lie in it
 template <class Real>
 struct BoxView {
   const Real* potential;
   Index stride, origin;  // origin: cell (0, 0) of the whole grid would begin there
-  int stencil;
-  const Real* weight;
+  const StencilPolynomials<Real>& polynomials;
+  const Real* place;
   const std::int32_t *cell_x, *cell_y;
 };
 
@@ -47,22 +59,21 @@ FLOE_INLINE void all_values(const BoxView<Real>& box, const std::int32_t* source
   constexpr int kV = static_cast<int>(kWeights / kLanes<Real>);
   for (std::size_t k = 0; k < count; ++k) {
     const Index s = sources[k];
-    const Real* const along_x = box.weight + 2 * kWeights * s;
-    const Real* const along_y = along_x + kWeights;
+    AxisWeights<Real> along_x, along_y;
+    box.polynomials.evaluate(box.place[2 * s], along_x);
+    box.polynomials.evaluate(box.place[2 * s + 1], along_y);
+    Real weight_y[kWeights];
+    for (int v = 0; v < kV; ++v) store(weight_y + kLanes<Real> * v, along_y.vector[v]);
     const Real* from = box.potential + (box.origin + box.cell_x[s] + box.stride * box.cell_y[s]);
     Lanes<Real> row[kV] = {};
-    for (int b = 0; b < box.stencil; ++b, from += box.stride)
+    for (int b = 0; b < box.polynomials.stencil(); ++b, from += box.stride)
       for (int v = 0; v < kV; ++v) {
         Lanes<Real> part;
         load(part, from + kLanes<Real> * v);
-        row[v] += along_y[b] * part;
+        row[v] += weight_y[b] * part;
       }
     Lanes<Real> sum = {};
-    for (int v = 0; v < kV; ++v) {
-      Lanes<Real> weight;
-      load(weight, along_x + kLanes<Real> * v);
-      sum += weight * row[v];
-    }
+    for (int v = 0; v < kV; ++v) sum += along_x.vector[v] * row[v];
     value[k] = sum_of_lanes(sum);
   }
 }
@@ -82,6 +93,7 @@ template <class Real>
 Precorrection<Real>::Precorrection(const Geometry& geometry,
                                    const std::function<double(Index, Index)>& table)
     : geometry_(geometry),
+      polynomials_(geometry.grid.stencil),
       radius_(geometry.near.radius),
       reach_(radius_ + geometry.grid.stencil - 1),
       width_(2 * radius_ + geometry.grid.stencil),
@@ -108,20 +120,21 @@ void Precorrection<Real>::Box::fill(Index target) {
   const int w = p.geometry_.grid.stencil;
   cell_x_ = targets.cell_x[target];
   cell_y_ = targets.cell_y[target];
-  const Real* const along_x = targets.weights<Real>(target);
+  Real weight[2][kWeights];
+  point_weights(p.polynomials_, targets.places<Real>() + 2 * target, weight);
   const Real* from[kWeights];
 
   // Along x: the stencil's line at every distance dy; dx = first point of the box - stencil point
   for (int dy = 0; dy <= p.reach_; ++dy) {
     for (int a = 0; a < w; ++a)
       from[a] = p.table_.data() + p.table_stride_ * dy + p.reach_ - a - p.radius_;
-    combine(from, along_x, w, p.stride_, strip_.data() + p.stride_ * dy);
+    combine(from, weight[0], w, p.stride_, strip_.data() + p.stride_ * dy);
   }
 
   // Along y
   for (int gy = 0; gy < p.width_; ++gy) {
     for (int b = 0; b < w; ++b) from[b] = strip_.data() + p.stride_ * std::abs(b + p.radius_ - gy);
-    combine(from, along_x + kWeights, w, p.stride_, potential_.data() + p.stride_ * gy);
+    combine(from, weight[1], w, p.stride_, potential_.data() + p.stride_ * gy);
   }
 }
 
@@ -130,8 +143,8 @@ void Precorrection<Real>::Box::values(std::span<const std::int32_t> sources, Rea
   const Precorrection& p = parent_;
   const CellPoints& points = p.geometry_.sources;
   const Index origin = p.radius_ - cell_x_ + p.stride_ * (p.radius_ - cell_y_);
-  box_values({potential_.data(), p.stride_, origin, p.geometry_.grid.stencil,
-              points.weights<Real>(0), points.cell_x.data(), points.cell_y.data()},
+  box_values({potential_.data(), p.stride_, origin, p.polynomials_, points.places<Real>(),
+              points.cell_x.data(), points.cell_y.data()},
              sources.data(), sources.size(), value);
 }
 

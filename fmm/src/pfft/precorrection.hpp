@@ -2,6 +2,7 @@
 
 #include "pfft/grid.hpp"
 #include "pfft/lane_buffer.hpp"
+#include "pfft/stencil_polynomials.hpp"
 
 #include <functional>
 #include <span>
@@ -32,8 +33,9 @@ class Precorrection {
 
  private:
   const Geometry& geometry_;  // view
-  int radius_, reach_;        // cells; grid offsets
-  Index width_, stride_;      // of the box, and of its rows: whole vectors
+  StencilPolynomials<Real> polynomials_;
+  int radius_, reach_;    // cells; grid offsets
+  Index width_, stride_;  // of the box, and of its rows: whole vectors
   Index table_stride_;
   LaneBuffer<Real> table_;  // rows dy = 0 … reach; dx = -reach … reach, zeros
 };

@@ -17,8 +17,6 @@ struct PfftOptions {
   /// A kernel of the sweep, that of the longest wave, reaching all distances; a view, needed while
   /// the plan is made. Errors are those of the part 2/R; where a wave makes the sums larger than
   /// 2/R alone, a cheaper design keeps the tolerance. Without it the plan expects no wave.
-  /// Leave it out in very shallow water (kh < 0.1): there the design may miss the tolerance
-  /// twofold.
   const RadialKernel* typical_kernel = nullptr;
   /// Memory that the plan and one sum may take [byte].
   double memory_budget = std::numeric_limits<double>::infinity();

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "pfft/lanes.hpp"
+
+namespace floe::fmm::pfft {
+
+inline constexpr int kWeights = 8;  // room for the weights of one axis; the largest stencil
+
+/// A point's weights along one axis as whole vectors, zeros behind the stencil.
+template <class Real>
+struct AxisWeights {
+  static constexpr int kVectors = static_cast<int>(kWeights / kLanes<Real>);
+  Lanes<Real> vector[kVectors];
+};
+
+/// The weights as polynomials of a point's place t within its stencil: cheaper to evaluate than to
+/// bring from memory.
+template <class Real>
+class StencilPolynomials {
+ public:
+  explicit StencilPolynomials(int stencil);
+
+  int stencil() const { return stencil_; }
+
+  /// t from the stencil's centre, in spacings, |t| ≤ 1/2.
+  FLOE_INLINE void evaluate(Real t, AxisWeights<Real>& weights) const {
+    evaluate_of(stencil_, t, weights);
+  }
+  /// The same where the length is known to the compiler.
+  FLOE_INLINE void evaluate_of(int stencil, Real t, AxisWeights<Real>& weights) const {
+    for (int v = 0; v < AxisWeights<Real>::kVectors; ++v) {
+      Lanes<Real> sum;
+      load(sum, coefficient_[stencil - 1] + kLanes<Real> * v);
+      for (int power = stencil - 2; power >= 0; --power) {
+        Lanes<Real> next;
+        load(next, coefficient_[power] + kLanes<Real> * v);
+        sum = sum * t + next;
+      }
+      weights.vector[v] = sum;
+    }
+  }
+
+ private:
+  int stencil_;
+  Real coefficient_[kWeights][kWeights] = {};  // of t^power, by stencil point
+};
+
+}  // namespace floe::fmm::pfft
