@@ -5,7 +5,6 @@
 #include <floe/numeric/simd.hpp>
 
 #include <algorithm>
-#include <type_traits>
 
 namespace floe::fmm::pfft {
 namespace {
@@ -92,27 +91,6 @@ FLOE_INLINE void interpolate_all(const Task<Real>& task, Real* potentials_re, Re
     }
     potentials_re[k] = sum_of_lanes(sum_re);
     potentials_im[k] = sum_of_lanes(sum_im);
-  }
-}
-
-// Calls with the length of the stencil as a constant
-template <class Call>
-FLOE_INLINE void for_stencil(int stencil, const Call& call) {
-  switch (stencil) {
-    case 2:
-      return call(std::integral_constant<int, 2>());
-    case 3:
-      return call(std::integral_constant<int, 3>());
-    case 4:
-      return call(std::integral_constant<int, 4>());
-    case 5:
-      return call(std::integral_constant<int, 5>());
-    case 6:
-      return call(std::integral_constant<int, 6>());
-    case 7:
-      return call(std::integral_constant<int, 7>());
-    default:
-      return call(std::integral_constant<int, 8>());
   }
 }
 

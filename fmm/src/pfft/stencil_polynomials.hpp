@@ -2,6 +2,8 @@
 
 #include "pfft/lanes.hpp"
 
+#include <type_traits>
+
 namespace floe::fmm::pfft {
 
 inline constexpr int kWeights = 8;  // room for the weights of one axis; the largest stencil
@@ -44,5 +46,26 @@ class StencilPolynomials {
   int stencil_;
   Real coefficient_[kWeights][kWeights] = {};  // of t^power, by stencil point
 };
+
+/// Calls with the length of a stencil as a constant, std::integral_constant.
+template <class Call>
+FLOE_INLINE void for_stencil(int stencil, const Call& call) {
+  switch (stencil) {
+    case 2:
+      return call(std::integral_constant<int, 2>());
+    case 3:
+      return call(std::integral_constant<int, 3>());
+    case 4:
+      return call(std::integral_constant<int, 4>());
+    case 5:
+      return call(std::integral_constant<int, 5>());
+    case 6:
+      return call(std::integral_constant<int, 6>());
+    case 7:
+      return call(std::integral_constant<int, 7>());
+    default:
+      return call(std::integral_constant<int, 8>());
+  }
+}
 
 }  // namespace floe::fmm::pfft
