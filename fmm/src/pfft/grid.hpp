@@ -74,6 +74,8 @@ inline Index padded_range(Index count, Precision precision) {
 
 CellPoints sort_into_cells(const Grid& grid, const Points2& points, Precision precision);
 
+inline constexpr int kLargestRadius = 9;  // cells
+
 /// Near cells of a cell: those that come closer to it than `near_radius` spacings, at most
 /// half_width[|dy|] cells away along x in row dy, |dy| ≤ radius.
 struct NearShape {

@@ -1,4 +1,5 @@
 #include "pfft/design.hpp"
+#include "pfft/stencil_polynomials.hpp"
 
 #include <floe/fmm/pfft_plan.hpp>
 #include <floe/numeric/error.hpp>
@@ -35,6 +36,12 @@ PfftPlan::PfftPlan(const Points2& sources, const Points2& targets, const PfftOpt
     : options_(options) {
   const pfft::Extent extent = validated_extent(sources, targets, options);
   PfftDesign design = prescribed;
+  FLOE_VALIDATE(design.stencil >= 2 && design.stencil <= pfft::kWeights,
+                "invalid pfft stencil = " << design.stencil << " (must be 2 to 8)");
+  FLOE_VALIDATE(design.near_radius > 0.0 && design.near_radius <= pfft::kLargestRadius,
+                "invalid pfft near radius = " << design.near_radius
+                                              << " spacings (must be positive, at most "
+                                              << pfft::kLargestRadius << ")");
   if (design.memory == 0.0)
     pfft::estimate_cost(extent, sources, targets, options.tolerance, design);
   FLOE_VALIDATE_AS(BudgetError, design.memory <= options.memory_budget,

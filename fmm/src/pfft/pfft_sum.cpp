@@ -42,6 +42,8 @@ std::vector<Index> PfftSum::near_sources(Index target) const {
   const pfft::Geometry& geometry = plan_->geometry();
   const Index t = geometry.targets().sorted[target];
   std::vector<Index> sources;
+  sources.reserve(static_cast<std::size_t>(2.0 * plan_->design().near_pairs /
+                                           static_cast<double>(target_count())));
   pfft::for_near_ranges(geometry.grid, geometry.near, geometry.sources.cell_begin,
                         geometry.targets().cell_x[t], geometry.targets().cell_y[t],
                         [&](Index begin, Index end) {

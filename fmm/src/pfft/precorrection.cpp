@@ -142,12 +142,6 @@ Precorrection<Real>::Precorrection(const Geometry& geometry,
 }
 
 template <class Real>
-Precorrection<Real>::Box::Box(const Precorrection& parent)
-    : parent_(parent),
-      strip_(parent.stride_ * (parent.reach_ + 1)),
-      potential_(parent.stride_ * parent.width_) {}
-
-template <class Real>
 void Precorrection<Real>::Box::fill(Index target) {
   const Precorrection& p = parent_;
   const CellPoints& targets = p.geometry_.targets();
@@ -155,7 +149,7 @@ void Precorrection<Real>::Box::fill(Index target) {
   cell_y_ = targets.cell_y[target];
   fill_box({p.polynomials_, targets.places<Real>() + 2 * target,
             p.table_.data() + p.reach_ - p.radius_, p.table_stride_, p.radius_, p.reach_, p.width_,
-            p.stride_, strip_.data(), potential_.data()});
+            p.stride_, strip_, potential_});
 }
 
 template <class Real>
@@ -163,7 +157,7 @@ void Precorrection<Real>::Box::values(std::span<const std::int32_t> sources, Rea
   const Precorrection& p = parent_;
   const CellPoints& points = p.geometry_.sources;
   const Index origin = p.radius_ - cell_x_ + p.stride_ * (p.radius_ - cell_y_);
-  box_values({potential_.data(), p.stride_, origin, p.polynomials_, points.places<Real>(),
+  box_values({potential_, p.stride_, origin, p.polynomials_, points.places<Real>(),
               points.cell_x.data(), points.cell_y.data()},
              sources.data(), sources.size(), value);
 }

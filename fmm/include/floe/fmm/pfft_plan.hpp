@@ -46,7 +46,7 @@ class PfftPlan {
   /// point, BudgetError when grid or near lists would exceed the memory budget: for clustered
   /// points use another engine.
   PfftPlan(const Points2& sources, const Points2& targets, const PfftOptions& options = {});
-  /// The same with stencil, radius and spacing prescribed (of `design`), for measurements.
+  /// The same with stencil (2 to 8), radius (up to 9) and spacing prescribed, for measurements.
   PfftPlan(const Points2& sources, const Points2& targets, const PfftOptions& options,
            const PfftDesign& design);
 
