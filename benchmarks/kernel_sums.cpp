@@ -1,88 +1,27 @@
 // Kernel sums on the nodes of a rectangle of Q8 elements, L/B = 5, with the water's Green function:
 //   bench_kernel_sums [elements along the length] [tolerance] [kL] [kh; inf: deep] [leaf size]
-//   [columns]
-// One line a run: times are CPU time, medians, and ratios to F1, FFTW's zero-padded complex
-// convolution on the grid of element corners, timed in turn with the sums.
+// One line: CPU times, medians, and their ratios to F1, timed in turn with the sums; random and
+// smooth charges, one column and eight.
+
+#include "f1.hpp"
+
 #include <floe/fmm/direct_sum.hpp>
 #include <floe/fmm/multipole_sum.hpp>
 #include <floe/fmm/sampled_error.hpp>
 #include <floe/green/green_table.hpp>
 
-#include <fftw3.h>
 #include <omp.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <random>
 
 namespace floe {
 namespace {
 
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-template <class Work>
-double seconds_of(const Work& work) {
-  const double start = cpu_seconds();
-  work();
-  return cpu_seconds() - start;
-}
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
-}
-
-int fast_length(int least) {
-  for (int length = least;; ++length) {
-    int rest = length;
-    for (const int factor : {2, 3, 5})
-      while (rest % factor == 0) rest /= factor;
-    if (rest == 1) return length;
-  }
-}
-
-// F1: forward, times a full spectrum, inverse, in place
-class Convolution {
- public:
-  Convolution(int nx, int ny) : size_(nx * ny), data_(fftw_alloc_complex(size_)) {
-    forward_ = fftw_plan_dft_2d(ny, nx, data_, data_, FFTW_FORWARD, FFTW_MEASURE);
-    backward_ = fftw_plan_dft_2d(ny, nx, data_, data_, FFTW_BACKWARD, FFTW_MEASURE);
-    spectrum_.assign(size_, Complex(0.5, 0.25));
-    std::fill_n(reinterpret_cast<double*>(data_), 2 * size_, 0.0);
-    data_[1][0] = 1.0;
-  }
-  Convolution(const Convolution&) = delete;
-  Convolution& operator=(const Convolution&) = delete;
-  ~Convolution() {
-    fftw_destroy_plan(forward_);
-    fftw_destroy_plan(backward_);
-    fftw_free(data_);
-  }
-
-  void run() const {
-    fftw_execute(forward_);
-    const double norm = 1.0 / size_;
-    for (int i = 0; i < size_; ++i) {
-      const double re = data_[i][0], im = data_[i][1];
-      data_[i][0] = norm * (re * spectrum_[i].real() - im * spectrum_[i].imag());
-      data_[i][1] = norm * (re * spectrum_[i].imag() + im * spectrum_[i].real());
-    }
-    fftw_execute(backward_);
-  }
-
- private:
-  int size_;
-  fftw_complex* data_;
-  fftw_plan forward_, backward_;
-  std::vector<Complex> spectrum_;
-};
+using benchmark::median;
+using benchmark::seconds_of;
 
 // Corners and middles of the edges of nx × ny square elements of size 1
 Points2 q8_nodes(int nx, int ny) {
@@ -112,7 +51,6 @@ int main(int argc, char** argv) {
   const int nx = static_cast<int>(argument(1, 690)), ny = nx / 5;
   const double tolerance = argument(2, 1e-4), kL = argument(3, 150.0), kh = argument(4, INFINITY);
   const auto leaf_size = static_cast<Index>(argument(5, fmm::MultipoleOptions{}.leaf_size));
-  const auto columns = static_cast<Index>(argument(6, 1.0));
 
   const Points2 points = q8_nodes(nx, ny);
   const double k = kL / nx, depth = kh / k, nu = std::isinf(kh) ? k : k * std::tanh(kh);
@@ -126,35 +64,38 @@ int main(int argc, char** argv) {
   const double setup_seconds =
       seconds_of([&] { sum = std::make_unique<fmm::MultipoleSum>(plan, kernel, tolerance); });
 
-  const MatXcd charges = random_charges(points.cols(), columns);
-  MatXcd potentials(points.cols(), columns);
-  const Convolution convolution(fast_length(2 * nx + 1), fast_length(2 * ny + 1));
-  std::vector<double> anchor, far, whole;
+  // One column and eight, in turn with F1
+  constexpr Index kColumns = 8;
+  const MatXcd block = random_charges(points.cols(), kColumns), charges = block.leftCols(1);
+  MatXcd potentials(points.cols(), 1), block_potentials(points.cols(), kColumns);
+  const benchmark::F1 anchor(nx + 1, ny + 1, FFTW_MEASURE);
+  std::vector<double> f1_times, far_times, times, eight_times, far_eight_times;
   for (int round = 0; round < 9; ++round) {
-    anchor.push_back(seconds_of([&] { convolution.run(); }));
-    far.push_back(seconds_of([&] { sum->far_apply(charges, potentials); }));
-    whole.push_back(seconds_of([&] { sum->apply(charges, potentials); }));
+    f1_times.push_back(anchor.seconds());
+    far_times.push_back(seconds_of([&] { sum->far_apply(charges, potentials); }));
+    times.push_back(seconds_of([&] { sum->apply(charges, potentials); }));
+    if (round % 3 != 0) continue;
+    eight_times.push_back(seconds_of([&] { sum->apply(block, block_potentials); }) / kColumns);
+    far_eight_times.push_back(seconds_of([&] { sum->far_apply(block, block_potentials); }) /
+                              kColumns);
   }
   const fmm::DirectSum truth(points, points, kernel);
   const double error = fmm::sampled_error(truth, charges, potentials, 100);
-  MatXcd smooth(points.cols(), columns);
-  for (Index j = 0; j < columns; ++j)
-    smooth.col(j) = (Complex(0.0, k) * points.row(0).transpose()).array().exp();
+  const MatXcd smooth = (Complex(0.0, k) * points.row(0).transpose()).array().exp();
   sum->apply(smooth, potentials);
   const double smooth_error = fmm::sampled_error(truth, smooth, potentials, 100);
 
-  const double f1 = median(anchor), time = median(whole),
-               columns_done = static_cast<double>(columns);
+  const double f1 = median(f1_times), time = median(times), far = median(far_times);
   std::printf(
-      "multipole N=%ld threads=%d columns=%ld kL=%g kh=%g tolerance=%.1e error=%.2e "
-      "smooth_error=%.2e "
-      "seconds=%.4f far=%.4f f1=%.4f ratio=%.2f far_ratio=%.2f plan=%.3f setup=%.3f "
-      "setup_in_applications=%.1f bytes_a_node=%.0f plan_bytes_a_node=%.0f ranks=",
-      static_cast<long>(points.cols()), omp_get_max_threads(), static_cast<long>(columns), kL, kh,
-      tolerance, error, smooth_error, time / columns_done, median(far) / columns_done, f1,
-      time / columns_done / f1, median(far) / columns_done / f1, plan_seconds, setup_seconds,
-      setup_seconds / time, sum->memory() / static_cast<double>(points.cols()),
+      "multipole N %td threads %d kL %g kh %g leaf %td tolerance %.0e error random %.1e smooth "
+      "%.1e "
+      "| F1 %.1f ms, apply %.1f ms = %.1f F1 (far %.1f F1), of 8 each %.1f ms = %.2f (far %.2f) "
+      "| plan %.2f s, setup %.1f applications | %.0f + %.0f bytes a node | ranks",
+      points.cols(), omp_get_max_threads(), kL, kh, leaf_size, tolerance, error, smooth_error,
+      1e3 * f1, 1e3 * time, time / f1, far / f1, 1e3 * median(eight_times),
+      median(eight_times) / time, median(far_eight_times) / far, plan_seconds, setup_seconds / time,
+      sum->memory() / static_cast<double>(points.cols()),
       plan->memory() / static_cast<double>(points.cols()));
-  for (const Index rank : sum->ranks()) std::printf("%ld ", static_cast<long>(rank));
+  for (const Index rank : sum->ranks()) std::printf(" %td", rank);
   std::printf("\n");
 }

@@ -19,6 +19,8 @@
 namespace {
 
 using namespace floe;
+using benchmark::median;
+using benchmark::seconds_of;
 
 constexpr double kElement = 3.0;  // E [m]
 
@@ -54,14 +56,7 @@ Charges make_charges(const Points2& points, Index columns) {
   return charges;
 }
 
-double repeated(const fmm::PfftSum& sum, const MatXcd& charges, MatXcd& potentials, int times) {
-  std::vector<double> seconds;
-  for (int repeat = 0; repeat < times; ++repeat)
-    seconds.push_back(benchmark::seconds_of([&] { sum.apply(charges, potentials); }));
-  return benchmark::median(seconds);
-}
-
-void measure(const Points2& points, double tolerance, double k, double f1,
+void measure(const Points2& points, double tolerance, double k, const benchmark::F1* anchor,
              const fmm::PfftDesign* design) {
   const green::GreenFunction green(k, std::numeric_limits<double>::infinity());
   const Point2 size = points.rowwise().maxCoeff() - points.rowwise().minCoeff();
@@ -70,47 +65,44 @@ void measure(const Points2& points, double tolerance, double k, double f1,
                                  .max_wavenumber = green.wavenumber(),
                                  .typical_kernel = design ? nullptr : &table};
   std::shared_ptr<const fmm::PfftPlan> plan;
-  const double plan_time = benchmark::seconds_of([&] {
+  const double plan_time = seconds_of([&] {
     plan = design ? std::make_shared<const fmm::PfftPlan>(points, points, options, *design)
                   : std::make_shared<const fmm::PfftPlan>(points, points, options);
   });
   std::unique_ptr<fmm::PfftSum> sum;
-  const double setup =
-      benchmark::seconds_of([&] { sum = std::make_unique<fmm::PfftSum>(plan, table); });
+  const double setup = seconds_of([&] { sum = std::make_unique<fmm::PfftSum>(plan, table); });
 
-  const Charges charges = make_charges(points, 1);
-  MatXcd random(points.cols(), 1), smooth(points.cols(), 1);
-  const double one = repeated(*sum, charges.random, random, 5);
-  sum->apply(charges.smooth, smooth);
-  double eight = 0.0;
-  if (!design) {
-    const Charges block = make_charges(points, 8);
-    MatXcd result(points.cols(), 8);
-    eight = repeated(*sum, block.random, result, 3) / 8.0;
+  // One column and eight, in turn with F1
+  constexpr Index kColumns = 8;
+  const Charges charges = make_charges(points, 1), block = make_charges(points, kColumns);
+  MatXcd random(points.cols(), 1), smooth = random, result(points.cols(), kColumns);
+  std::vector<double> f1_times, far_times, times, eight_times, far_eight_times;
+  for (int round = 0; round < (anchor ? 9 : 1); ++round) {
+    if (anchor) f1_times.push_back(anchor->seconds());
+    far_times.push_back(seconds_of([&] { sum->far_apply(charges.random, random); }));
+    times.push_back(seconds_of([&] { sum->apply(charges.random, random); }));
+    if (round % 3 != 0) continue;
+    eight_times.push_back(seconds_of([&] { sum->apply(block.random, result); }) / kColumns);
+    far_eight_times.push_back(seconds_of([&] { sum->far_apply(block.random, result); }) / kColumns);
   }
-  MatXcd far(points.cols(), 1);
-  const double far_time = benchmark::seconds_of([&] { sum->far_apply(charges.random, far); });
+  sum->apply(charges.smooth, smooth);
 
   const fmm::DirectSum truth(points, points, table);
   const fmm::PfftDesign& d = plan->design();
+  const double f1 = anchor ? median(f1_times) : 0.0, one = median(times), far = median(far_times);
   std::printf(
-      "N %td threads %d tolerance %.0e w %d r %.1f h/E %.2f grid %td x %td near %.0f "
-      "error random %.1e smooth %.1e | apply %.1f ms (far %.1f, estimate %.1f) = %.1f F1, "
-      "of 8: %.2f | plan %.2f s, setup %.1f applications | %.0f bytes a node\n",
+      "pfft N %td threads %d tolerance %.0e w %d r %.1f h/E %.2f grid %td x %td near %.0f "
+      "error random %.1e smooth %.1e | F1 %.1f ms, apply %.1f ms (estimate %.1f) = %.1f F1 "
+      "(far %.1f F1), of 8 each %.1f ms = %.2f (far %.2f) | plan %.2f s, setup %.1f applications "
+      "| %.0f bytes a node\n",
       points.cols(), omp_get_max_threads(), tolerance, d.stencil, d.near_radius,
       d.spacing / kElement, d.nx, d.ny, d.near_pairs / double(points.cols()),
       fmm::sampled_error(truth, charges.random, random),
-      fmm::sampled_error(truth, charges.smooth, smooth), 1e3 * one, 1e3 * far_time,
-      1e-6 * d.nanoseconds, f1 > 0.0 ? one / f1 : 0.0, eight / one, plan_time, setup / one,
+      fmm::sampled_error(truth, charges.smooth, smooth), 1e3 * f1, 1e3 * one, 1e-6 * d.nanoseconds,
+      one / f1, far / f1, 1e3 * median(eight_times), median(eight_times) / one,
+      median(far_eight_times) / far, plan_time, setup / one,
       (sum->memory() + plan->memory()) / double(points.cols()));
   std::fflush(stdout);
-}
-
-double f1_seconds(Index nx) {
-  const benchmark::F1 anchor(nx + 1, nx / 5 + 1, FFTW_MEASURE);
-  std::vector<double> seconds;
-  for (int repeat = 0; repeat < 11; ++repeat) seconds.push_back(anchor.seconds());
-  return benchmark::median(seconds);
 }
 
 }  // namespace
@@ -123,17 +115,17 @@ int main(int argc, char** argv) {
   if (argc > 2 && std::atof(argv[2]) == 0.0) {
     // Error of every stencil and radius, whatever the spacing (the table of the design)
     const double h = argc > 3 ? std::atof(argv[3]) : 0.7;
-    for (int w = 3; w <= 10; ++w)
-      for (int r = 1; r <= 8; ++r) {
-        const fmm::PfftDesign design{
-            .stencil = w, .near_radius = double(r), .spacing = h * kElement};
-        measure(points, 1e-7, 1e-6, 0.0, &design);
+    for (int w = 4; w <= 8; ++w)
+      for (const double r :
+           {1.4, 2.0, 2.2, 2.5, 3.0, 3.1, 3.5, 4.0, 4.2, 5.0, 5.5, 6.0, 6.5, 7.0, 7.5, 8.0}) {
+        const fmm::PfftDesign design{.stencil = w, .near_radius = r, .spacing = h * kElement};
+        measure(points, 1e-7, 1e-6, nullptr, &design);
       }
     return 0;
   }
   std::vector<double> tolerances;
   for (int a = 2; a < argc; ++a) tolerances.push_back(std::atof(argv[a]));
   if (tolerances.empty()) tolerances = {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7};
-  const double f1 = f1_seconds(nx);
-  for (const double tolerance : tolerances) measure(points, tolerance, k, f1, nullptr);
+  const benchmark::F1 anchor(nx + 1, nx / 5 + 1, FFTW_MEASURE);
+  for (const double tolerance : tolerances) measure(points, tolerance, k, &anchor, nullptr);
 }

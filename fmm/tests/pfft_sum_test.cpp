@@ -69,6 +69,27 @@ TEST(PfftSum, KeepsEveryToleranceThatIsAsked) {
     }
 }
 
+TEST(PfftSum, KeepsItsToleranceForGradedAndClusteredPoints) {
+  const Index count = 3000;
+  Points2 graded = random_points(count, 2.0, 1.0, 11), clustered = graded;
+  graded.row(0) = graded.row(0).array().square();
+  std::mt19937 engine(12);
+  std::normal_distribution<double> normal(0.0, 0.02);
+  for (Index i = 0; i < count; ++i)
+    clustered.col(i) = clustered.col(i % 30) + Point2(normal(engine), normal(engine));
+  const MatXcd charges = random_charges(count, 1);
+  for (const Points2& points : {graded, clustered})
+    for (const double wavenumber : {0.0, 30.0})
+      for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-7}) {
+        const WaveKernel kernel(wavenumber);
+        const PfftSum sum(make_plan(points, points, tolerance, wavenumber), kernel);
+        MatXcd potentials(count, 1);
+        sum.apply(charges, potentials);
+        EXPECT_LE(sampled_error(DirectSum(points, points, kernel), charges, potentials), tolerance)
+            << "k = " << wavenumber;
+      }
+}
+
 TEST(PfftSum, AgreesWhereItsPointsFormTwoGroupsFarApart) {
   Points2 points = random_points(1500, 1.0, 1.0, 3);
   points.rightCols(750).colwise() += Point2(1.0, 9.0);

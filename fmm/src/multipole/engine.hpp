@@ -39,15 +39,18 @@ struct Columns {
 template <class Real>
 struct Expansions {
   Expansions() = default;
-  Expansions(Index boxes, Index column_count, Index rank_stride)
-      : columns(column_count), stride(rank_stride), values(boxes * columns * 2 * stride) {}
+  Expansions(Index boxes, Index column_count, Index level_rank, Index rank_stride)
+      : columns(column_count),
+        rank(level_rank),
+        stride(rank_stride),
+        values(boxes * columns * 2 * stride) {}
   Real* at(Index box, Index column) {
     return values.data() + (box * columns + column) * 2 * stride;
   }
   const Real* at(Index box, Index column) const {
     return values.data() + (box * columns + column) * 2 * stride;
   }
-  Index columns = 0, stride = 0;
+  Index columns = 0, rank = 0, stride = 0;
   AlignedArray<Real> values;
 };
 

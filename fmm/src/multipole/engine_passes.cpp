@@ -30,7 +30,7 @@ class PairProduct {
         from[b] = x_.at(source_[b < count_ ? b : 0], column);
         to[b] = b < count_ ? y_.at(target_[b], column) : waste_.data();
       }
-      multiply_add(matrix_.data(), y_.stride, x_.stride, from, to);
+      multiply_add(matrix_.data(), y_.stride, x_.rank, x_.stride, from, to);
     }
     count_ = 0;
   }
@@ -53,7 +53,7 @@ typename TypedEngine<Real>::Levels TypedEngine<Real>::make_levels(Index columns)
   Levels levels(matrices_.size());
   for (std::size_t level = kTopLevel; level < matrices_.size(); ++level)
     levels[level] = Expansions<Real>(geometry_.tree.boxes_on(static_cast<int>(level)), columns,
-                                     matrices_[level].stride);
+                                     matrices_[level].rank, matrices_[level].stride);
   return levels;
 }
 
@@ -115,7 +115,7 @@ void TypedEngine<Real>::couple_at_the_top(const Levels& moments, Levels& locals)
   const Quadtree& tree = geometry_.tree;
   const Expansions<Real>& from = moments[kTopLevel];
   const Index first = tree.level_begin[kTopLevel], count = tree.boxes_on(kTopLevel);
-  Expansions<Real> turned(count, from.columns, from.stride);
+  Expansions<Real> turned(count, from.columns, from.rank, from.stride);
   for (Index b = 0; b < count; ++b)
     for (Index column = 0; column < from.columns; ++column)
       for (Index i = 0; i < from.stride; ++i) {

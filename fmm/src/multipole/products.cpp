@@ -38,8 +38,8 @@ FLOE_INLINE Real lane_sum(const Vector<Real, kBytes>& v) {
 
 // One strip of rows of y += M x for four complex vectors
 template <class Real, int kBytes>
-FLOE_INLINE void multiply_strip(const Real* matrix, Index rows, Index columns, const Real* const* x,
-                                Real* const* y, Index first) {
+FLOE_INLINE void multiply_strip(const Real* matrix, Index rows, Index columns, Index x_stride,
+                                const Real* const* x, Real* const* y, Index first) {
   using V = Vector<Real, kBytes>;
   V real[kTile] = {}, imag[kTile] = {};
   const Real *x0 = x[0], *x1 = x[1], *x2 = x[2], *x3 = x[3];
@@ -47,13 +47,13 @@ FLOE_INLINE void multiply_strip(const Real* matrix, Index rows, Index columns, c
     V m;
     load(m, matrix + j * rows + first);
     real[0] += m * x0[j];
-    imag[0] += m * x0[j + columns];
+    imag[0] += m * x0[j + x_stride];
     real[1] += m * x1[j];
-    imag[1] += m * x1[j + columns];
+    imag[1] += m * x1[j + x_stride];
     real[2] += m * x2[j];
-    imag[2] += m * x2[j + columns];
+    imag[2] += m * x2[j + x_stride];
     real[3] += m * x3[j];
-    imag[3] += m * x3[j + columns];
+    imag[3] += m * x3[j + x_stride];
   }
   for (int b = 0; b < kTile; ++b) {
     add_to(y[b] + first, real[b]);
@@ -62,13 +62,13 @@ FLOE_INLINE void multiply_strip(const Real* matrix, Index rows, Index columns, c
 }
 
 template <class Real>
-FLOE_INLINE void multiply_add_all(const Real* matrix, Index rows, Index columns,
+FLOE_INLINE void multiply_add_all(const Real* matrix, Index rows, Index columns, Index x_stride,
                                   const Real* const* x, Real* const* y) {
   constexpr Index kWide = 64 / sizeof(Real);
   Index first = 0;
   for (; first + kWide <= rows; first += kWide)
-    multiply_strip<Real, 64>(matrix, rows, columns, x, y, first);
-  if (first < rows) multiply_strip<Real, 32>(matrix, rows, columns, x, y, first);
+    multiply_strip<Real, 64>(matrix, rows, columns, x_stride, x, y, first);
+  if (first < rows) multiply_strip<Real, 32>(matrix, rows, columns, x_stride, x, y, first);
 }
 
 template <class Real, int kBytes>
@@ -137,14 +137,14 @@ FLOE_INLINE void all_row_products(const Real* rows, Index count, Index length, c
 
 }  // namespace
 
-FLOE_SIMD_CLONES void multiply_add(const float* matrix, Index rows, Index columns,
+FLOE_SIMD_CLONES void multiply_add(const float* matrix, Index rows, Index columns, Index x_stride,
                                    const float* const* x, float* const* y) {
-  multiply_add_all(matrix, rows, columns, x, y);
+  multiply_add_all(matrix, rows, columns, x_stride, x, y);
 }
 
-FLOE_SIMD_CLONES void multiply_add(const double* matrix, Index rows, Index columns,
+FLOE_SIMD_CLONES void multiply_add(const double* matrix, Index rows, Index columns, Index x_stride,
                                    const double* const* x, double* const* y) {
-  multiply_add_all(matrix, rows, columns, x, y);
+  multiply_add_all(matrix, rows, columns, x_stride, x, y);
 }
 
 FLOE_SIMD_CLONES void spread_rows(const float* rows, Index count, Index length, const float* x_real,

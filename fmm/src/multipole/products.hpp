@@ -17,11 +17,12 @@ constexpr Index padded(Index count) {
 constexpr int kTile = 4;
 
 /// y_b += M x_b for four complex vectors: real part first, imaginary part `rows` (for y) or
-/// `columns` (for x) later. M is column by column, `rows` by `columns`, both padded.
-void multiply_add(const float* matrix, Index rows, Index columns, const float* const* x,
-                  float* const* y);
-void multiply_add(const double* matrix, Index rows, Index columns, const double* const* x,
-                  double* const* y);
+/// `x_stride` (for x) later. M is column by column, `rows` (padded) by `columns` (no zeros,
+/// please).
+void multiply_add(const float* matrix, Index rows, Index columns, Index x_stride,
+                  const float* const* x, float* const* y);
+void multiply_add(const double* matrix, Index rows, Index columns, Index x_stride,
+                  const double* const* x, double* const* y);
 
 /// y += Σ_j row_j x_j: `count` rows of `length` padded numbers; y as above.
 void spread_rows(const float* rows, Index count, Index length, const float* x_real,

@@ -5,6 +5,7 @@
 #include "pfft/near_table.hpp"
 #include "pfft/projection.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -110,15 +111,20 @@ void TypedEngine<Real>::apply(const Eigen::Ref<const MatXcd>& charges,
 template <class Real>
 void TypedEngine<Real>::far_values(Index target, std::span<const Index> sources,
                                    std::span<Complex> values) const {
-  std::vector<std::int32_t> sorted(sources.size());
-  for (std::size_t k = 0; k < sources.size(); ++k) sorted[k] = geometry_.sources.sorted[sources[k]];
-  std::vector<Real> re(sources.size()), im(sources.size());
+  constexpr std::size_t kChunk = 128;  // on the stack: nothing is allocated a target
   typename Precorrection<Real>::Box real_box(real_), imag_box(imag_);
   real_box.fill(geometry_.targets().sorted[target]);
-  real_box.values(sorted, re.data());
   imag_box.fill(geometry_.targets().sorted[target]);
-  imag_box.values(sorted, im.data());
-  for (std::size_t k = 0; k < sources.size(); ++k) values[k] = Complex(re[k], im[k]);
+  for (std::size_t first = 0; first < sources.size(); first += kChunk) {
+    const std::size_t count = std::min(kChunk, sources.size() - first);
+    std::int32_t sorted[kChunk];
+    Real re[kChunk], im[kChunk];
+    for (std::size_t k = 0; k < count; ++k)
+      sorted[k] = geometry_.sources.sorted[sources[first + k]];
+    real_box.values({sorted, count}, re);
+    imag_box.values({sorted, count}, im);
+    for (std::size_t k = 0; k < count; ++k) values[first + k] = Complex(re[k], im[k]);
+  }
 }
 
 }  // namespace

@@ -23,18 +23,16 @@ NearShape::NearShape(double near_radius) : radius(0) {
 namespace {
 
 template <class Real>
-void fill_weights(const Grid& grid, const Points2& points, const CellPoints& cells,
-                  std::vector<Real>& weight) {
-  weight.assign(static_cast<std::size_t>(2 * kWeights * cells.count()), Real(0));
+void fill_places(const Grid& grid, const Points2& points, const CellPoints& cells,
+                 std::vector<Real>& place) {
+  place.resize(static_cast<std::size_t>(2 * cells.count()));
+  const double centre = 0.5 * (grid.stencil - 1);
 #pragma omp parallel for schedule(static)
   for (Index k = 0; k < cells.count(); ++k) {
     const Point2 position = grid.locate(points.col(cells.original[k]));
-    double along[2][kWeights];
-    stencil_weights(position.x() - static_cast<double>(cells.cell_x[k]), grid.stencil, along[0]);
-    stencil_weights(position.y() - static_cast<double>(cells.cell_y[k]), grid.stencil, along[1]);
-    for (int axis = 0; axis < 2; ++axis)
-      for (int a = 0; a < grid.stencil; ++a)
-        weight[kWeights * (2 * k + axis) + a] = static_cast<Real>(along[axis][a]);
+    place[2 * k] = static_cast<Real>(position.x() - static_cast<double>(cells.cell_x[k]) - centre);
+    place[2 * k + 1] =
+        static_cast<Real>(position.y() - static_cast<double>(cells.cell_y[k]) - centre);
   }
 }
 
@@ -73,9 +71,9 @@ CellPoints sort_into_cells(const Grid& grid, const Points2& points, Precision pr
     cells.cell_y[k] = static_cast<std::int32_t>(cell[i] / grid.cells_x());
   }
   if (precision == Precision::single)
-    fill_weights(grid, points, cells, cells.weight_float);
+    fill_places(grid, points, cells, cells.place_float);
   else
-    fill_weights(grid, points, cells, cells.weight);
+    fill_places(grid, points, cells, cells.place);
   return cells;
 }
 
@@ -116,7 +114,7 @@ Geometry::Geometry(const Grid& grid_in, const PfftDesign& design_in, const Point
 double Geometry::memory() const {
   const double real = precision == Precision::single ? 4.0 : 8.0;
   const auto points = static_cast<double>(sources.count() + (own_targets_ ? targets().count() : 0));
-  return points * (2.0 * kWeights * real + 32.0) + 8.0 * static_cast<double>(coincident.size()) +
+  return points * (2.0 * real + 32.0) + 8.0 * static_cast<double>(coincident.size()) +
          8.0 * static_cast<double>((own_targets_ ? 4 : 3) * value_begin.size()) +
          4.0 * static_cast<double>(vector_start.size());
 }

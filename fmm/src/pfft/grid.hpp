@@ -40,25 +40,23 @@ struct Grid {
   }
 };
 
-inline constexpr int kWeights = 8;  // room for the weights of one axis; the largest stencil
-
-/// Points in the order of their cells, with the weights of their stencils.
+/// Points in the order of their cells.
 struct CellPoints {
   std::vector<std::int32_t> original;  // by sorted number
   std::vector<std::int32_t> sorted;    // by original number
   std::vector<std::int32_t> cell_x, cell_y;
-  std::vector<Index> cell_begin;    // by cell, cells + 1
-  std::vector<float> weight_float;  // 2·kWeights a point, along x, along y, zeros behind; of the
-  std::vector<double> weight;       // two only the one in the precision of the sums
-  Points2 position;                 // [m], sorted
+  std::vector<Index> cell_begin;   // by cell, cells + 1
+  std::vector<float> place_float;  // x, y from the stencil's centre [spacings]; of the two only
+  std::vector<double> place;       // the one in the precision of the sums
+  Points2 position;                // [m], sorted
 
   Index count() const { return static_cast<Index>(original.size()); }
   template <class Real>
-  const Real* weights(Index k) const {
+  const Real* places() const {
     if constexpr (std::is_same_v<Real, float>)
-      return weight_float.data() + 2 * kWeights * k;
+      return place_float.data();
     else
-      return weight.data() + 2 * kWeights * k;
+      return place.data();
   }
 };
 
@@ -75,6 +73,8 @@ inline Index padded_range(Index count, Precision precision) {
 }
 
 CellPoints sort_into_cells(const Grid& grid, const Points2& points, Precision precision);
+
+inline constexpr int kLargestRadius = 9;  // cells
 
 /// Near cells of a cell: those that come closer to it than `near_radius` spacings, at most
 /// half_width[|dy|] cells away along x in row dy, |dy| ≤ radius.

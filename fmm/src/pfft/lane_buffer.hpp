@@ -29,14 +29,23 @@ class LaneBuffer {
   std::unique_ptr<Real, Free> data_;
 };
 
-/// Real and imaginary part of values on a grid, each row by row, with room for a stencil's
-/// weights behind the end of a row.
+/// Values on a grid row by row: real parts, `stride` later imaginary parts, 2·stride later the next
+/// row, with room for a stencil's weights behind the end of each.
 template <class Real>
 struct GridData {
-  GridData(Index nx, Index ny)
-      : stride(whole_lanes<Real>(nx) + 8), size(stride * ny), re(size), im(size) {}
+  GridData(Index nx, Index ny) : stride(row_stride(nx)), size(2 * stride * ny), values(size) {}
+  Real* row(Index j) const { return values.data() + 2 * stride * j; }
   Index stride, size;
-  LaneBuffer<Real> re, im;
+  LaneBuffer<Real> values;
+
+ private:
+  // NOTE: addresses that differ by nearly a multiple of 4096 byte are taken for the same when a
+  // load follows a store, and wait
+  static Index row_stride(Index nx) {
+    constexpr Index kPage = 4096 / static_cast<Index>(sizeof(Real));
+    const Index least = whole_lanes<Real>(nx) + 8, over = (least + 64) % kPage;
+    return over < 128 ? least + 128 - over : least;
+  }
 };
 
 }  // namespace floe::fmm::pfft

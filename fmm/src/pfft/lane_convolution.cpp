@@ -217,8 +217,8 @@ void LaneConvolution<Real>::transform_rows(const GridData<Real>& grid, Real* wor
 #pragma omp for schedule(static)
     for (Index j = 0; j < ny_; j += kL) {
       const Index rows = std::min(kL, ny_ - j);
-      to_elements(grid.re.data() + grid.stride * j, grid.stride, rows, nx_, data.data());
-      to_elements(grid.im.data() + grid.stride * j, grid.stride, rows, nx_, data.data() + kL);
+      to_elements(grid.row(j), 2 * grid.stride, rows, nx_, data.data());
+      to_elements(grid.row(j) + grid.stride, 2 * grid.stride, rows, nx_, data.data() + kL);
       std::fill(data.data() + 2 * kL * nx_, data.data() + kL * length_x(), Real(0));
       const Real* const result = along_x_.forward(data.data(), work.data());
       to_blocks(result, length_x(), blocks(), block_size(), workspace + 2 * kL * j);
@@ -258,8 +258,8 @@ void LaneConvolution<Real>::restore_rows(const Real* workspace, GridData<Real>& 
       const Index rows = std::min(kL, ny_ - j);
       from_blocks(workspace + 2 * kL * j, length_x(), blocks(), block_size(), data.data());
       const Real* const result = along_x_.backward(data.data(), work.data());
-      to_rows(result, grid.stride, rows, nx_, grid.re.data() + grid.stride * j);
-      to_rows(result + kL, grid.stride, rows, nx_, grid.im.data() + grid.stride * j);
+      to_rows(result, 2 * grid.stride, rows, nx_, grid.row(j));
+      to_rows(result + kL, 2 * grid.stride, rows, nx_, grid.row(j) + grid.stride);
     }
   }
 }

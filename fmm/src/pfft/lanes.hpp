@@ -2,8 +2,6 @@
 
 #include <floe/numeric/types.hpp>
 
-#include <cstdint>
-
 #define FLOE_INLINE inline __attribute__((always_inline))
 
 /// Vectors of 32 bytes, whatever the instruction set: the order of all sums is the same in each.
@@ -29,17 +27,16 @@ FLOE_INLINE void store(Real* to, const Lanes<Real>& v) {
   __builtin_memcpy(to, &v, sizeof(v));
 }
 
+/// The sum in pairs, the same in each instruction set.
 FLOE_INLINE float sum_of_lanes(const Lanes<float>& lanes) {
-  using Mask __attribute__((vector_size(32))) = std::int32_t;
   Lanes<float> v = lanes;
-  v += __builtin_shuffle(v, Mask{4, 5, 6, 7, 0, 1, 2, 3});
-  v += __builtin_shuffle(v, Mask{2, 3, 0, 1, 6, 7, 4, 5});
+  v += __builtin_shufflevector(v, v, 4, 5, 6, 7, 0, 1, 2, 3);
+  v += __builtin_shufflevector(v, v, 2, 3, 0, 1, 6, 7, 4, 5);
   return v[0] + v[1];
 }
 FLOE_INLINE double sum_of_lanes(const Lanes<double>& lanes) {
-  using Mask __attribute__((vector_size(32))) = std::int64_t;
   Lanes<double> v = lanes;
-  v += __builtin_shuffle(v, Mask{2, 3, 0, 1});
+  v += __builtin_shufflevector(v, v, 2, 3, 0, 1);
   return v[0] + v[1];
 }
 
@@ -51,38 +48,32 @@ constexpr Index whole_lanes(Index count) {
 
 /// v[i] lane j becomes v[j] lane i. Shuffles within halves first, then of halves.
 FLOE_INLINE void transpose(Lanes<float>* v) {
-  using Mask __attribute__((vector_size(32))) = std::int32_t;
-  constexpr Mask kLow = {0, 8, 1, 9, 4, 12, 5, 13}, kHigh = {2, 10, 3, 11, 6, 14, 7, 15};
-  constexpr Mask kLowPair = {0, 1, 8, 9, 4, 5, 12, 13}, kHighPair = {2, 3, 10, 11, 6, 7, 14, 15};
-  constexpr Mask kLowHalf = {0, 1, 2, 3, 8, 9, 10, 11}, kHighHalf = {4, 5, 6, 7, 12, 13, 14, 15};
   Lanes<float> a[8], b[8];
   for (int i = 0; i < 8; i += 2) {
-    a[i] = __builtin_shuffle(v[i], v[i + 1], kLow);
-    a[i + 1] = __builtin_shuffle(v[i], v[i + 1], kHigh);
+    a[i] = __builtin_shufflevector(v[i], v[i + 1], 0, 8, 1, 9, 4, 12, 5, 13);
+    a[i + 1] = __builtin_shufflevector(v[i], v[i + 1], 2, 10, 3, 11, 6, 14, 7, 15);
   }
   for (int i = 0; i < 8; i += 4)
     for (int k = 0; k < 2; ++k) {
-      b[i + 2 * k] = __builtin_shuffle(a[i + k], a[i + k + 2], kLowPair);
-      b[i + 2 * k + 1] = __builtin_shuffle(a[i + k], a[i + k + 2], kHighPair);
+      const Lanes<float>&low = a[i + k], &high = a[i + k + 2];
+      b[i + 2 * k] = __builtin_shufflevector(low, high, 0, 1, 8, 9, 4, 5, 12, 13);
+      b[i + 2 * k + 1] = __builtin_shufflevector(low, high, 2, 3, 10, 11, 6, 7, 14, 15);
     }
   for (int i = 0; i < 4; ++i) {
-    v[i] = __builtin_shuffle(b[i], b[i + 4], kLowHalf);
-    v[i + 4] = __builtin_shuffle(b[i], b[i + 4], kHighHalf);
+    v[i] = __builtin_shufflevector(b[i], b[i + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+    v[i + 4] = __builtin_shufflevector(b[i], b[i + 4], 4, 5, 6, 7, 12, 13, 14, 15);
   }
 }
 
 FLOE_INLINE void transpose(Lanes<double>* v) {
-  using Mask __attribute__((vector_size(32))) = std::int64_t;
-  constexpr Mask kLow = {0, 4, 2, 6}, kHigh = {1, 5, 3, 7};
-  constexpr Mask kLowHalf = {0, 1, 4, 5}, kHighHalf = {2, 3, 6, 7};
   Lanes<double> a[4];
   for (int i = 0; i < 4; i += 2) {
-    a[i] = __builtin_shuffle(v[i], v[i + 1], kLow);
-    a[i + 1] = __builtin_shuffle(v[i], v[i + 1], kHigh);
+    a[i] = __builtin_shufflevector(v[i], v[i + 1], 0, 4, 2, 6);
+    a[i + 1] = __builtin_shufflevector(v[i], v[i + 1], 1, 5, 3, 7);
   }
   for (int i = 0; i < 2; ++i) {
-    v[i] = __builtin_shuffle(a[i], a[i + 2], kLowHalf);
-    v[i + 2] = __builtin_shuffle(a[i], a[i + 2], kHighHalf);
+    v[i] = __builtin_shufflevector(a[i], a[i + 2], 0, 1, 4, 5);
+    v[i + 2] = __builtin_shufflevector(a[i], a[i + 2], 2, 3, 6, 7);
   }
 }
 

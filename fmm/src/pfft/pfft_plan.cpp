@@ -1,4 +1,5 @@
 #include "pfft/design.hpp"
+#include "pfft/stencil_polynomials.hpp"
 
 #include <floe/fmm/pfft_plan.hpp>
 #include <floe/numeric/error.hpp>
@@ -35,6 +36,12 @@ PfftPlan::PfftPlan(const Points2& sources, const Points2& targets, const PfftOpt
     : options_(options) {
   const pfft::Extent extent = validated_extent(sources, targets, options);
   PfftDesign design = prescribed;
+  FLOE_VALIDATE(design.stencil >= 2 && design.stencil <= pfft::kWeights,
+                "invalid pfft stencil = " << design.stencil << " (must be 2 to 8)");
+  FLOE_VALIDATE(design.near_radius > 0.0 && design.near_radius <= pfft::kLargestRadius,
+                "invalid pfft near radius = " << design.near_radius
+                                              << " spacings (must be positive, at most "
+                                              << pfft::kLargestRadius << ")");
   if (design.memory == 0.0)
     pfft::estimate_cost(extent, sources, targets, options.tolerance, design);
   FLOE_VALIDATE_AS(BudgetError, design.memory <= options.memory_budget,
@@ -60,6 +67,8 @@ std::vector<Index> PfftPlan::near_sources(Index target) const {
   const pfft::Geometry& geometry = *geometry_;
   const Index t = geometry.targets().sorted[target];
   std::vector<Index> sources;
+  sources.reserve(static_cast<std::size_t>(2.0 * plan_->design().near_pairs /
+                                           static_cast<double>(target_count())));
   pfft::for_near_ranges(geometry.grid, geometry.near, geometry.sources.cell_begin,
                         geometry.targets().cell_x[t], geometry.targets().cell_y[t],
                         [&](Index begin, Index end) {

@@ -1,5 +1,7 @@
 #include "pfft/sorted_columns.hpp"
 
+#include <floe/numeric/simd.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -48,12 +50,27 @@ void SortedColumns<Real>::restore(const CellPoints& points, const VecXd& scale,
   }
 }
 
+namespace {
+
+FLOE_SIMD_CLONES double largest_part(const double* part, Index count) {
+  constexpr Index kWays = 16;
+  double most[kWays] = {};
+  Index i = 0;
+  for (; i + kWays <= count; i += kWays)
+    for (Index l = 0; l < kWays; ++l)
+      most[l] = std::abs(part[i + l]) > most[l] ? std::abs(part[i + l]) : most[l];
+  for (; i < count; ++i) most[0] = std::max(most[0], std::abs(part[i]));
+  return *std::max_element(most, most + kWays);
+}
+
+}  // namespace
+
 VecXd column_scales(const Eigen::Ref<const MatXcd>& charges) {
   VecXd scale(charges.cols());
 #pragma omp parallel for schedule(static)
   for (Index c = 0; c < charges.cols(); ++c) {
-    const double most = std::max(charges.col(c).real().cwiseAbs().maxCoeff(),
-                                 charges.col(c).imag().cwiseAbs().maxCoeff());
+    const double most =
+        largest_part(reinterpret_cast<const double*>(charges.col(c).data()), 2 * charges.rows());
     scale[c] = most > 0.0 && std::isfinite(most) ? std::ldexp(1.0, std::ilogb(most)) : 1.0;
   }
   return scale;

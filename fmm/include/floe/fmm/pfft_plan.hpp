@@ -18,8 +18,6 @@ struct PfftOptions {
   /// A kernel of the sweep, that of the longest wave, reaching all distances; a view, needed while
   /// the plan is made. Errors are those of the part 2/R; where a wave makes the sums larger than
   /// 2/R alone, a cheaper design keeps the tolerance. Without it the plan expects no wave.
-  /// Leave it out in very shallow water (kh < 0.1): there the design may miss the tolerance
-  /// twofold.
   const RadialKernel* typical_kernel = nullptr;
   /// Memory that the plan and one sum may take [byte].
   double memory_budget = std::numeric_limits<double>::infinity();
@@ -49,7 +47,7 @@ class PfftPlan {
   /// point, BudgetError when grid or near lists would exceed the memory budget: for clustered
   /// points use another engine.
   PfftPlan(const Points2& sources, const Points2& targets, const PfftOptions& options = {});
-  /// The same with stencil, radius and spacing prescribed (of `design`), for measurements.
+  /// The same with stencil (2 to 8), radius (up to 9) and spacing prescribed, for measurements.
   PfftPlan(const Points2& sources, const Points2& targets, const PfftOptions& options,
            const PfftDesign& design);
 
