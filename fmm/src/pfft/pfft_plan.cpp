@@ -67,8 +67,8 @@ std::vector<Index> PfftPlan::near_sources(Index target) const {
   const pfft::Geometry& geometry = *geometry_;
   const Index t = geometry.targets().sorted[target];
   std::vector<Index> sources;
-  sources.reserve(static_cast<std::size_t>(2.0 * plan_->design().near_pairs /
-                                           static_cast<double>(target_count())));
+  sources.reserve(static_cast<std::size_t>(2.0 * design().near_pairs /
+                                           static_cast<double>(geometry.targets().count())));
   pfft::for_near_ranges(geometry.grid, geometry.near, geometry.sources.cell_begin,
                         geometry.targets().cell_x[t], geometry.targets().cell_y[t],
                         [&](Index begin, Index end) {
