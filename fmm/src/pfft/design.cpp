@@ -24,9 +24,9 @@ constexpr double kPointTime = 3.0;     // a source or a target
 constexpr double kNearTime = 0.5;      // a stored near value
 constexpr double kNearRowTime = 20.0;  // a row of near pairs
 
-// Error of random charges under 2/R with stencil w and near radius r. It does not depend on the
-// spacing; waves on top of 2/R make it smaller. Measured by `bench_pfft_sum 80 0`, the largest of
-// jittered, random and graded points, and a sixth added.
+// Error of random charges under 2/R with stencil w and near radius r, the largest of jittered,
+// random and graded points. It does not depend on the spacing; waves on top of 2/R make it smaller.
+// `bench_pfft_sum 80 0` measures the jittered ones again. A sixth is added.
 constexpr double kSpread = 7.0 / 6.0;
 constexpr double kRadii[] = {1.4, 2.0, 2.2, 2.5, 3.0, 3.1, 3.5, 4.0,
                              4.2, 5.0, 5.5, 6.0, 6.5, 7.0, 7.5, 8.0};
