@@ -11,6 +11,7 @@
 #include <omp.h>
 
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <string>
 #include <vector>
@@ -26,7 +27,7 @@ const char* name_of(SumEngine engine) {
 }
 
 mesh::Q8Mesh read(const std::string& name) {
-  return mesh::read_gmsh(std::string(FLOE_SOURCE_DIR) + "/meshes/" + name).mesh;
+  return mesh::read_gmsh(std::filesystem::path(FLOE_SOURCE_DIR) / "meshes" / name).mesh;
 }
 
 // Worst case and the usual one: no order at all, and a wave
