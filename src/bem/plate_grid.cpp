@@ -3,6 +3,8 @@
 #include <floe/mesh/point_locator.hpp>
 #include <floe/mesh/shape_functions.hpp>
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
