@@ -28,6 +28,14 @@ enum class Quantity {
 /// Name as in case and result files: "deflection", "bending_moment_x", …
 std::string_view name(Quantity quantity);
 
+/// In words: "deflection", "bending moment Mx", …
+std::string_view label(Quantity quantity);
+
+/// Unit of the quantity itself ("m", "N m/m") and per metre of wave amplitude ("m/m", "N m/m per
+/// m").
+std::string_view unit(Quantity quantity);
+std::string_view unit_per_metre(Quantity quantity);
+
 /// The quantity of that name, or nothing.
 std::optional<Quantity> quantity_from_name(std::string_view name);
 

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <floe/analysis.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace floe::io {
+
+/// One sea for the report. Means are mean headings; arrays run over mean heading, quantity of the
+/// case, point of the case, the last one fastest.
+struct ReportSea {
+  std::string name;
+  std::string text;  ///< spectrum, heights, periods and spreading in words
+  std::vector<double> mean_heading_deg;
+  std::vector<double> std, zero_crossing_period, significant, most_probable_maximum;
+  std::vector<double> spectrum_omega;  ///< [rad/s]
+  std::vector<double> spectra;         ///< as above, then the frequencies
+  MatXd deflection_std;                ///< nodes of the plate's mesh × means [m]; empty if unknown
+};
+
+/// All that a report is made of.
+struct ReportContent {
+  const Case& data;
+  const mesh::Q8Mesh& mesh;  ///< the mesh of the modes: the plate's own, or else the fluid's
+  Index fluid_nodes = 0;
+  Index fluid_elements = 0;
+  const plate::DryModes& modes;
+  const std::vector<FrequencyResult>& results;  ///< by rising frequency; fields are not needed
+  std::string status = "complete";              ///< or why the run ended early
+  std::vector<std::string> warnings;
+  std::vector<StageTime> stages;
+  std::string case_text;  ///< the case as the user wrote it, or as it was resolved
+  std::vector<ReportSea> seas;
+};
+
+/// One HTML page with everything in it, no network: summary, checks, curves, the moving plate in
+/// 3-D, spectra, convergence and times. Under 5 MB: large meshes are drawn by a choice of nodes and
+/// modes by 16-bit numbers (error 2e-5 of the largest value of a mode). The same content gives the
+/// same bytes.
+std::string report_page(const ReportContent& content);
+
+/// Whether this build contains the page's scripts (FLOE_REPORT); without them report_page throws
+/// UsageError.
+bool report_available();
+
+}  // namespace floe::io

@@ -1,0 +1,7 @@
+#include "io/report_template.hpp"
+
+namespace floe::io {
+
+const std::string_view kReportTemplate;
+
+}  // namespace floe::io

@@ -1,0 +1,87 @@
+// Response to regular waves: curves over the frequency at points, and along lines.
+import { Chart } from './charts.js';
+import { raoMagnitude } from './data.js';
+import { chooser, element } from './dom.js';
+import { number } from './format.js';
+
+function overFrequency(data) {
+  if (data.points.length === 0) return undefined;
+  const state = { quantity: 0, heading: 0 };
+  const spec = () => {
+    const quantity = data.quantities[state.quantity];
+    const scale = quantity.scale ?? 1;
+    const curves = data.points.map((_, p) =>
+      data.waves.omega.map((_, f) => raoMagnitude(data, state.quantity, f, state.heading, p) / scale),
+    );
+    return {
+      title: `${quantity.label} at the points over the frequency`,
+      describe: data.points.map((point, p) => `${point.name}: up to ${number(Math.max(...curves[p]))}`).join(', '),
+      x: 'ω [rad/s]',
+      y: `|${quantity.label}| [${quantity.per_metre}]`,
+      series: data.points.map(({ name }) => name),
+      values: [data.waves.omega, ...curves],
+      range: [0, null],
+    };
+  };
+  const chart = new Chart(spec());
+  const set = (name) => (index) => {
+    state[name] = index;
+    chart.update(spec());
+  };
+  return element(
+    'div',
+    { class: 'card' },
+    element('h3', {}, 'At points'),
+    element(
+      'div',
+      { class: 'controls' },
+      chooser('Quantity', data.quantities.map(({ label }) => label), set('quantity')),
+      chooser('Heading', data.waves.heading_deg.map((h) => `${number(h)}°`), set('heading')),
+    ),
+    chart.box,
+  );
+}
+
+function alongLines(data) {
+  if (data.lines.length === 0) return undefined;
+  const state = { line: 0, heading: 0 };
+  const spec = () => {
+    const line = data.lines[state.line];
+    const stations = line.s.length;
+    const headings = data.waves.heading_deg.length;
+    const curves = data.waves.omega.map((_, f) =>
+      line.s.map((_, s) => {
+        const i = (f * headings + state.heading) * stations + s;
+        return Math.hypot(line.deflection[2 * i], line.deflection[2 * i + 1]);
+      }),
+    );
+    const chosen = curves.length > 8 ? curves.map((_, i) => i).filter((i) => i % Math.ceil(curves.length / 8) === 0) : curves.map((_, i) => i);
+    return {
+      title: `Deflection along ${line.name}`,
+      x: 's [m]',
+      y: '|w| [m/m]',
+      series: chosen.map((i) => `ω ${number(data.waves.omega[i])}`),
+      values: [line.s, ...chosen.map((i) => curves[i])],
+      range: [0, null],
+    };
+  };
+  const chart = new Chart(spec());
+  const set = (name) => (index) => {
+    state[name] = index;
+    chart.update(spec());
+  };
+  return element(
+    'div',
+    { class: 'card' },
+    element('h3', {}, 'Along lines'),
+    element(
+      'div',
+      { class: 'controls' },
+      chooser('Line', data.lines.map(({ name }) => name), set('line')),
+      chooser('Heading', data.waves.heading_deg.map((h) => `${number(h)}°`), set('heading')),
+    ),
+    chart.box,
+  );
+}
+
+export const waves = (data) => element('div', { class: 'cards' }, overFrequency(data), alongLines(data));

@@ -1,0 +1,136 @@
+#include "fabricated_results.hpp"
+#include "io/packed_array.hpp"
+#include "recorded_run.hpp"
+
+#include <floe/io/report.hpp>
+#include <floe/numeric/error.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cstdlib>
+#include <fstream>
+
+namespace floe::io {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+// The JSON between the page's data tags
+nlohmann::json data_of(const std::string& page) {
+  const std::string tag = "<script id=\"floe-data\" type=\"application/json\">";
+  const std::size_t first = page.find(tag) + tag.size();
+  return nlohmann::json::parse(page.substr(first, page.find("</script>", first) - first));
+}
+
+class Report : public testing::Test {
+ protected:
+  Report() {
+    modes_.shape = MatXd::Constant(3 * mesh_.node_count(), 4, 0.5);
+    results_ = {test::small_result(0.4), test::small_result(0.5)};
+  }
+  std::string page() const {
+    return report_page({.data = data_,
+                        .mesh = mesh_,
+                        .fluid_nodes = mesh_.node_count(),
+                        .fluid_elements = mesh_.element_count(),
+                        .modes = modes_,
+                        .results = results_,
+                        .status = "complete",
+                        .warnings = warnings_,
+                        .stages = {},
+                        .case_text = "[water]",
+                        .seas = {}});
+  }
+  Case data_ = test::small_case();
+  mesh::Q8Mesh mesh_ = test::small_mesh();
+  plate::DryModes modes_ = test::small_modes();
+  std::vector<FrequencyResult> results_;
+  std::vector<std::string> warnings_;
+};
+
+TEST(Base64, EncodesTheExamplesOfRfc4648) {
+  const auto encoded = [](const std::string& text) {
+    return base64(std::as_bytes(std::span<const char>(text)));
+  };
+  EXPECT_EQ(encoded(""), "");
+  EXPECT_EQ(encoded("f"), "Zg==");
+  EXPECT_EQ(encoded("fo"), "Zm8=");
+  EXPECT_EQ(encoded("foo"), "Zm9v");
+  EXPECT_EQ(encoded("foobar"), "Zm9vYmFy");
+}
+
+TEST_F(Report, HasThePointsWavesAndChecksOfTheRun) {
+  const nlohmann::json data = data_of(page());
+  EXPECT_EQ(data["waves"]["omega"], (std::vector<double>{0.4, 0.5}));
+  EXPECT_EQ(data["points"][1]["name"], "P2");
+  EXPECT_EQ(data["quantities"][1]["unit"], "Pa");
+  EXPECT_EQ(data["checks"][0]["name"], "residual");
+  EXPECT_EQ(data["checks"][0]["status"], "good");
+}
+
+TEST_F(Report, LoadsNothingFromOutside) {
+  EXPECT_THAT(page(), Not(HasSubstr("src=\"")));
+  EXPECT_THAT(page(), Not(HasSubstr("<link")));
+  EXPECT_THAT(page(), HasSubstr("default-src 'none'"));
+}
+
+TEST_F(Report, LetsNoTextOfTheUserOutOfItsData) {
+  data_.title = "</script><script>alert(1)</script>";
+  warnings_ = {"<!-- <b>"};
+  EXPECT_THAT(page(), Not(HasSubstr("<script>alert")));
+  EXPECT_EQ(data_of(page())["title"], data_.title);
+  EXPECT_EQ(data_of(page())["warnings"][0], "<!-- <b>");
+}
+
+TEST_F(Report, TellsAResidualAboveTheTolerance) {
+  results_[1].report.true_residual = 3e-6;
+  EXPECT_EQ(data_of(page())["checks"][0]["status"], "attention");
+  results_[1].report.true_residual = std::nan("");
+  EXPECT_EQ(data_of(page())["checks"][0]["status"], "bad");
+}
+
+TEST_F(Report, StaysBelowFiveMegabytesForManyWaves) {
+  results_.clear();
+  for (int i = 0; i < 4000; ++i) results_.push_back(test::small_result(0.3 + 1e-3 * i));
+  data_.lines[0].count = 5;
+  EXPECT_LT(page().size(), 5'000'000u);
+}
+
+TEST_F(Report, NeedsAFinishedFrequency) {
+  results_.clear();
+  EXPECT_THROW(page(), InputError);
+}
+
+// The page that the browser's test opens (report/tests): a whole run, coarse
+TEST(ReportPage, OfAWholeRunIsWrittenForTheBrowser) {
+  Case data = test::table1_case(20, 4);
+  data.title = "Plate of Table 1, coarse";
+  data.omega = {0.42, 0.48, 0.58, 0.72};
+  data.heading_deg = {0.0, 30.0, 90.0};
+  data.mode_count = 16;
+  data.lines = {{"centreline", {-150.0, 0.0}, {150.0, 0.0}, 31}};
+  data.quantities = {response::Quantity::kDeflection, response::Quantity::kBendingMomentX};
+  const test::RecordedRun run = test::run(data);
+  const mesh::Q8Mesh mesh = mesh::make_rectangle(std::get<mesh::RectangleOptions>(data.mesh));
+  const std::string page = report_page({.data = data,
+                                        .mesh = mesh,
+                                        .fluid_nodes = mesh.node_count(),
+                                        .fluid_elements = mesh.element_count(),
+                                        .modes = run.modes,
+                                        .results = run.frequencies,
+                                        .status = "complete",
+                                        .warnings = run.warnings,
+                                        .stages = {{"dry modes", 0.1, 1e8}},
+                                        .case_text = "title = \"Plate of Table 1, coarse\"",
+                                        .seas = {}});
+  std::ofstream file(FLOE_REPORT_PAGE, std::ios::binary);
+  file << page;
+  EXPECT_TRUE(file.good());
+  EXPECT_GT(data_of(page)["triangles"].size() + data_of(page)["surface"].size(), 3u);
+}
+
+}  // namespace
+}  // namespace floe::io
