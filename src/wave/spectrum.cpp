@@ -23,7 +23,7 @@ Spectrum Spectrum::bretschneider(double significant_height, double significant_p
   require_positive(significant_height, "significant_height", "m");
   require_positive(significant_period, "significant_period", "s");
 
-  // (S.1), with ω/2π the frequency in Hz: A ω⁻⁵ exp(-B ω⁻⁴), whose variance is A/4B
+  // (E.1), with ω/2π the frequency in Hz: A ω⁻⁵ exp(-B ω⁻⁴), whose variance is A/4B
   const double turn = 2.0 * std::numbers::pi;
   const double b = 1.03 * std::pow(turn / significant_period, 4);
   Spectrum spectrum;
@@ -113,7 +113,7 @@ double Spectrum::variance(double from, double to) const {
     return sum;
   }
 
-  // Pieces that meet where the peak enhancement has its kink; the far tail in closed form (S.4)
+  // Pieces that meet where the peak enhancement has its kink; the far tail in closed form (E.4)
   const double far = 20.0 * peak_;
   const double pieces[] = {0.0,         0.5 * peak_, 0.8 * peak_, 0.9 * peak_, peak_,
                            1.1 * peak_, 1.3 * peak_, 2.0 * peak_, 5.0 * peak_, far};

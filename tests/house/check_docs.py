@@ -12,12 +12,12 @@ import house
 
 # Files that documents may link to before they exist. Take an entry out when its file has come.
 PENDING: set[str] = set()
-MODULE_OF_CHAPTER = {"fast_sums": "fmm", "solver": "krylov"}  # where the names differ
+MODULE_OF_CHAPTER = {"fast_sums": "fmm", "solver": "krylov", "seas": "wave"}  # where the names differ
 CITING = ["include", "src", "fmm", "tests", "benchmarks", "docs", "README.md", "CONTRIBUTING.md"]
 SUFFIXES = house.SOURCE_SUFFIXES | {".md", ".csv"}
 
-CITATION = re.compile(r"\(([BCFGHPRSW]\.\d+)\)")
-DEFINITION = re.compile(r"\\tag\{([BCFGHPRSW]\.\d+)\}|^ {4,}.*\(([BCFGHPRSW]\.\d+)\)\s*$")
+CITATION = re.compile(r"\(([BCEFGHPRSW]\.\d+)\)")
+DEFINITION = re.compile(r"\\tag\{([BCEFGHPRSW]\.\d+)\}|^ {4,}.*\(([BCEFGHPRSW]\.\d+)\)\s*$")
 KEY_LINE = re.compile(r"^Key equations: ")
 LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)")
 HEADING = re.compile(r"^#+ +(.*?) *$")

@@ -22,7 +22,8 @@ def files_under(root, folders, suffixes):
             found.append(base.relative_to(root))
         elif base.is_dir():
             found += [p.relative_to(root) for p in base.rglob("*") if p.suffix in suffixes and p.is_file()]
-    return sorted(p for p in found if p.parts[0] != "build" and not p.parts[0].endswith(".out"))
+    return sorted(p for p in found if p.parts[0] != "build" and not p.parts[0].endswith(".out")
+                  and "node_modules" not in p.parts)
 
 
 def read_lines(root, path):

@@ -7,11 +7,11 @@ namespace floe::wave {
 /// One-sided variance spectrum of the elevation at a point, S(ω) [m² s/rad], ∫₀^∞ S dω = m0.
 class Spectrum {
  public:
-  /// Bretschneider–Mitsuyasu (S.1), paper (27): H1/3 [m] and T1/3 [s]. 4√m0 = 0.999 H1/3.
+  /// Bretschneider–Mitsuyasu (E.1), paper (27): H1/3 [m] and T1/3 [s]. 4√m0 = 0.999 H1/3.
   static Spectrum bretschneider(double significant_height, double significant_period);
-  /// Pierson–Moskowitz (S.2) of height Hs = 4√m0 [m] and peak period Tp [s].
+  /// Pierson–Moskowitz (E.2) of height Hs = 4√m0 [m] and peak period Tp [s].
   static Spectrum pierson_moskowitz(double significant_height, double peak_period);
-  /// JONSWAP (S.3), rescaled so that 4√m0 = Hs; peak enhancement γ ≥ 1 (1: Pierson–Moskowitz).
+  /// JONSWAP (E.3), rescaled so that 4√m0 = Hs; peak enhancement γ ≥ 1 (1: Pierson–Moskowitz).
   static Spectrum jonswap(double significant_height, double peak_period, double gamma);
   /// Straight lines between given values, zero outside; ω ascending, two or more [rad/s].
   static Spectrum tabulated(std::vector<double> omega, std::vector<double> density);

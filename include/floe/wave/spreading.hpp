@@ -8,11 +8,11 @@ namespace floe::wave {
 /// D(θ - θ̄) [1/rad] with ∫ D dθ = 1 over the circle.
 class Spreading {
  public:
-  /// Γ(n/2+1)/(√π Γ((n+1)/2)) cosⁿ over ±90° (S.5); n = 2 is the paper's (25), (2/π) cos².
+  /// Γ(n/2+1)/(√π Γ((n+1)/2)) cosⁿ over ±90° (E.5); n = 2 is the paper's (25), (2/π) cos².
   static Spreading cosine_power(double n);
-  /// Γ(s+1)/(2√π Γ(s+½)) cos²ˢ of half the angle, over the whole circle (S.6).
+  /// Γ(s+1)/(2√π Γ(s+½)) cos²ˢ of half the angle, over the whole circle (E.6).
   static Spreading half_angle_cosine(double s);
-  /// Gaussian of a standard deviation [rad], wrapped around the circle (S.7).
+  /// Gaussian of a standard deviation [rad], wrapped around the circle (E.7).
   static Spreading wrapped_normal(double deviation);
   /// All energy in the mean heading: long-crested.
   static Spreading none();
