@@ -9,6 +9,7 @@ void analyse(const Case& data, Log& log, Store& store) {
 
   // Read the meshes and hold them against the waves and the memory
   const Meshes meshes = clock.time("mesh", [&] { return prepare_meshes(data, log); });
+  const SeaBand band = prepare_seas(data, meshes, log);
   store.begin(data, meshes.fluid);
 
   // Find how the plate moves when it is dry
@@ -27,6 +28,9 @@ void analyse(const Case& data, Log& log, Store& store) {
                  "frequency " + std::to_string(i + 1) + " of " + std::to_string(data.omega.size()));
     store.frequency(solve_frequency(data, plate, fluid, data.omega[i], clock));
   }
+  // Put the plate into the seas
+  for (const SeaResult& result : solve_seas(data, band, plate, fluid, clock, log))
+    store.sea(result);
   log.progress(1.0, "done");
   store.finish(clock.times());
 }

@@ -13,12 +13,6 @@
 namespace floe {
 namespace {
 
-// The residual that a solution must have. A direct one is good to rounding times the condition
-// number, which stays below 1e4
-double residual_limit(const Case& data, const FluidModel& fluid) {
-  return fluid.operators.method == SolverMethod::kDense ? 1e-10 : 1.001 * data.tolerance;
-}
-
 // Headings whose node fields are wanted at this frequency; nothing asked for means the first
 // heading at ten frequencies at most, evenly spread
 std::vector<Index> field_headings(const Case& data, double omega) {
@@ -141,6 +135,12 @@ void read_off_modes(const Case& data, const PlateModel& plate, FrequencyResult& 
 }
 
 }  // namespace
+
+// The residual that a solution must have. A direct one is good to rounding times the condition
+// number, which stays below 1e4
+double residual_limit(const Case& data, const FluidModel& fluid) {
+  return fluid.operators.method == SolverMethod::kDense ? 1e-10 : 1.001 * data.tolerance;
+}
 
 FrequencyResult solve_frequency(const Case& data, const PlateModel& plate, const FluidModel& fluid,
                                 double omega, StageClock& clock) {

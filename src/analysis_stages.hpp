@@ -79,6 +79,12 @@ struct FluidModel {
   double reach = 0.0;           ///< largest distance that the Green function is asked for [m]
 };
 
+/// Frequencies over which the seas are integrated [rad/s]; empty without a sea.
+struct SeaBand {
+  double from = 0.0;
+  double to = 0.0;
+};
+
 Meshes prepare_meshes(const Case& data, Log& log);
 PlateModel prepare_plate(const Case& data, const Meshes& meshes);
 FluidOperators prepare_operators(const Case& data, const mesh::Q8Mesh& mesh);
@@ -88,5 +94,13 @@ std::unique_ptr<const bem::PressureOperator> make_operator(const Case& data,
                                                            const green::GreenTable& green);
 FrequencyResult solve_frequency(const Case& data, const PlateModel& plate, const FluidModel& fluid,
                                 double omega, StageClock& clock);
+
+/// Chooses the band and holds it against every sea: warns where more than 2 % of m0 lie outside,
+/// throws DataError for more than 5 % unless the sea allows it.
+SeaBand prepare_seas(const Case& data, const Meshes& meshes, Log& log);
+std::vector<SeaResult> solve_seas(const Case& data, const SeaBand& band, const PlateModel& plate,
+                                  const FluidModel& fluid, StageClock& clock, Log& log);
+/// The residual that a solution of the fluid's equation must have.
+double residual_limit(const Case& data, const FluidModel& fluid);
 
 }  // namespace floe

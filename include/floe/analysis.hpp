@@ -7,6 +7,7 @@
 #include <floe/plate/dry_modes.hpp>
 #include <floe/plate/plate_properties.hpp>
 #include <floe/response/quantity.hpp>
+#include <floe/sea_results.hpp>
 #include <floe/wave/water.hpp>
 
 #include <filesystem>
@@ -66,8 +67,10 @@ struct Case {
   std::vector<NamedPoint> wave_points;
   std::vector<response::Quantity> quantities = {response::Quantity::kDeflection};
   std::vector<FieldRequest> fields;  ///< empty: the first heading, at most 10 frequencies
-  bool allow_coarse = false;         ///< go on with fewer than 2 nodes a wavelength
-  double memory_limit = 0.0;         ///< [byte]; 0: what the machine and its cgroup allow
+  std::vector<wave::SeaState> seas;  ///< any number
+  SeaGrid sea_grid;
+  bool allow_coarse = false;  ///< go on with fewer than 2 nodes a wavelength
+  double memory_limit = 0.0;  ///< [byte]; 0: what the machine and its cgroup allow
 };
 
 /// What a frequency's solution is worth.
@@ -132,18 +135,20 @@ class Log {
 };
 
 /// Where results go. Called in this order: once `begin`, once `modes`, each frequency by rising ω,
-/// once `finish`.
+/// each sea and mean heading as in the case, once `finish`.
 class Store {
  public:
   virtual ~Store() = default;
   virtual void begin(const Case& data, const mesh::Q8Mesh& mesh) = 0;
   virtual void modes(const plate::DryModes& modes) = 0;
   virtual void frequency(const FrequencyResult& result) = 0;
+  virtual void sea(const SeaResult&) {}
   virtual void finish(const std::vector<StageTime>& times) = 0;
 };
 
-/// Runs the case: mesh, dry modes, then for each frequency radiation, coupling and response.
-/// Throws MeshError, InputError, BudgetError, ConvergenceError; what was finished is in the store.
+/// Runs the case: mesh, dry modes, then for each frequency radiation, coupling and response, then
+/// the seas. Throws MeshError, InputError, DataError (a sea's energy lies beyond the band),
+/// BudgetError, ConvergenceError; what was finished is in the store.
 void analyse(const Case& data, Log& log, Store& store);
 
 }  // namespace floe

@@ -13,6 +13,7 @@ struct RecordedRun {
   Case data;
   plate::DryModes modes;
   std::vector<FrequencyResult> frequencies;
+  std::vector<SeaResult> seas;
   std::vector<std::string> notices, warnings;
 };
 
@@ -22,6 +23,7 @@ class RecordingStore final : public Store {
   void begin(const Case& data, const mesh::Q8Mesh&) override { run_.data = data; }
   void modes(const plate::DryModes& modes) override { run_.modes = modes; }
   void frequency(const FrequencyResult& result) override { run_.frequencies.push_back(result); }
+  void sea(const SeaResult& result) override { run_.seas.push_back(result); }
   void finish(const std::vector<StageTime>&) override {}
 
  private:

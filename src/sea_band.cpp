@@ -1,0 +1,82 @@
+#include "analysis_stages.hpp"
+
+#include <floe/hydro/flexural_gravity.hpp>
+#include <floe/numeric/error.hpp>
+#include <floe/preflight.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace floe {
+namespace {
+
+constexpr double kShareBelow = 1e-3;
+constexpr double kShareAbove = 5e-3;
+constexpr double kShareTold = 0.02;
+constexpr double kShareRefused = 0.05;
+constexpr double kHighest = 50.0;  // [rad/s]
+
+// Where `wanted` of a sea's m0 lie below
+double quantile(const wave::Spectrum& spectrum, double wanted) {
+  double low = 1e-4, high = kHighest;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (spectrum.variance(0.0, middle) < wanted * spectrum.m0() ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+// The highest frequency that the meshes resolve with the nodes wanted a wavelength
+double resolved_frequency(Case data, const Meshes& meshes) {
+  const auto resolves = [&](double omega) {
+    data.omega = {omega};
+    const Preflight found =
+        preflight(data, meshes.fluid, meshes.own_plate ? &*meshes.own_plate : nullptr);
+    return found.resolution.front().least_nodes() >= kNodesWanted;
+  };
+  double low = 1e-3, high = kHighest;
+  if (resolves(high)) return high;
+  for (int i = 0; i < 30; ++i) {
+    const double middle = 0.5 * (low + high);
+    (resolves(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
+void hold_against(const wave::SeaState& sea, const SeaBand& band, Log& log) {
+  const double inside = sea.spectrum.variance(band.from, band.to) / sea.spectrum.m0();
+  const std::string told = fmt::format(
+      "sea {}: {:.2g} % of its m0 lie outside the frequencies that are computed, {:.4g} … {:.4g} "
+      "rad/s",
+      sea.name, 100.0 * (1.0 - inside), band.from, band.to);
+  const std::string remedy = "widen sea_grid.omega, refine the mesh";
+  if (1.0 - inside > kShareRefused && !sea.allow_truncation)
+    throw DataError(told + " (at most 5 %; " + remedy + ", or set allow_truncation = true)");
+  if (1.0 - inside > kShareTold) log.warning(told + " (" + remedy + ")");
+}
+
+}  // namespace
+
+SeaBand prepare_seas(const Case& data, const Meshes& meshes, Log& log) {
+  if (data.seas.empty()) return {};
+  SeaBand band{std::numeric_limits<double>::infinity(), 0.0};
+  for (const wave::SeaState& sea : data.seas) {
+    band.from = std::min(band.from, quantile(sea.spectrum, kShareBelow));
+    band.to = std::max(band.to, quantile(sea.spectrum, 1.0 - kShareAbove));
+  }
+  band.to = std::min(band.to, resolved_frequency(data, meshes));
+  if (data.sea_grid.from) band.from = *data.sea_grid.from;
+  if (data.sea_grid.to) band.to = *data.sea_grid.to;
+  if (!(band.to > band.from))
+    throw DataError(
+        fmt::format("the mesh resolves waves up to {:.3g} rad/s, below the seas' own "
+                    "frequencies from {:.3g} rad/s (refine the mesh)",
+                    band.to, band.from));
+  for (const wave::SeaState& sea : data.seas) hold_against(sea, band, log);
+  return band;
+}
+
+}  // namespace floe
