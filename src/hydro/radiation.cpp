@@ -80,9 +80,8 @@ MatXd radiated_damping(const MatXcd& radiation_pressure, const mesh::Q8Mesh& mes
                        const wave::Water& water) {
   const double k = wave::wavenumber(omega, water);
   const double half_diagonal = 0.5 * (mesh.upper() - mesh.lower()).norm();
-  const int headings = 20 + static_cast<int>(std::ceil(2.0 * k * half_diagonal));
-  const std::vector<double> heading = full_circle(headings);
-  const MatXcd force = exciting_forces(radiation_pressure, wave_loads(mesh, k, heading));
+  const int headings = 20 + 2 * static_cast<int>(std::ceil(k * half_diagonal));
+  const MatXcd force = -full_circle_transform(mesh, k, headings, radiation_pressure);
   const double factor = k / (8.0 * std::numbers::pi * water.density * water.gravity *
                              wave::group_velocity(omega, water));
   return factor * 2.0 * std::numbers::pi / headings * (force * force.adjoint()).real();

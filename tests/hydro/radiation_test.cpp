@@ -52,6 +52,15 @@ TEST(WaveLoads, SumToTheClosedFormOfARectangle) {
   }
 }
 
+TEST(twin_WaveLoads, GiveTheTransformOfAFieldOnTheFullCircle) {
+  const MatXcd field = MatXcd::Random(small_plate().node_count(), 3);
+  for (const int count : {2, 24, 38}) {
+    const MatXcd loads = wave_loads(small_plate(), 0.3, full_circle(count));
+    const MatXcd transform = full_circle_transform(small_plate(), 0.3, count, field);
+    EXPECT_LE(test::relative_error(transform, field.transpose() * loads), 1e-13) << count;
+  }
+}
+
 TEST(identity_Radiation, DirectAndReciprocalForcesAgree) {
   // Both tend to the same force; on this mesh of kE = 0.5 they differ by the discretisation error
   const std::vector<double> heading{0.0, 0.4, 1.2, 2.5};
