@@ -29,8 +29,7 @@ void analyse(const Case& data, Log& log, Store& store) {
     store.frequency(solve_frequency(data, plate, fluid, data.omega[i], clock));
   }
   // Put the plate into the seas
-  for (const SeaResult& result : solve_seas(data, band, plate, fluid, clock, log))
-    store.sea(result);
+  if (band.asked()) solve_seas(data, band, plate, fluid, clock, log, store);
   log.progress(1.0, "done");
   store.finish(clock.times());
 }

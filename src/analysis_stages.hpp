@@ -79,10 +79,11 @@ struct FluidModel {
   double reach = 0.0;           ///< largest distance that the Green function is asked for [m]
 };
 
-/// Frequencies over which the seas are integrated [rad/s]; empty without a sea.
+/// Frequencies over which the seas are integrated [rad/s]; empty where none are asked for.
 struct SeaBand {
   double from = 0.0;
   double to = 0.0;
+  bool asked() const { return to > from; }
 };
 
 Meshes prepare_meshes(const Case& data, Log& log);
@@ -98,8 +99,8 @@ FrequencyResult solve_frequency(const Case& data, const PlateModel& plate, const
 /// Chooses the band and holds it against every sea: warns where more than 2 % of m0 lie outside,
 /// throws DataError for more than 5 % unless the sea allows it.
 SeaBand prepare_seas(const Case& data, const Meshes& meshes, Log& log);
-std::vector<SeaResult> solve_seas(const Case& data, const SeaBand& band, const PlateModel& plate,
-                                  const FluidModel& fluid, StageClock& clock, Log& log);
+void solve_seas(const Case& data, const SeaBand& band, const PlateModel& plate,
+                const FluidModel& fluid, StageClock& clock, Log& log, Store& store);
 /// The residual that a solution of the fluid's equation must have.
 double residual_limit(const Case& data, const FluidModel& fluid);
 

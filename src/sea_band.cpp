@@ -20,11 +20,11 @@ constexpr double kShareRefused = 0.05;
 constexpr double kHighest = 50.0;  // [rad/s]
 
 // Where `wanted` of a sea's m0 lie below
-double quantile(const wave::Spectrum& spectrum, double wanted) {
+double quantile(const wave::SeaState& sea, double wanted) {
   double low = 1e-4, high = kHighest;
   for (int i = 0; i < 60; ++i) {
     const double middle = 0.5 * (low + high);
-    (spectrum.variance(0.0, middle) < wanted * spectrum.m0() ? low : high) = middle;
+    (sea.variance(0.0, middle) < wanted * sea.m0() ? low : high) = middle;
   }
   return 0.5 * (low + high);
 }
@@ -47,7 +47,7 @@ double resolved_frequency(Case data, const Meshes& meshes) {
 }
 
 void hold_against(const wave::SeaState& sea, const SeaBand& band, Log& log) {
-  const double inside = sea.spectrum.variance(band.from, band.to) / sea.spectrum.m0();
+  const double inside = sea.variance(band.from, band.to) / sea.m0();
   const std::string told = fmt::format(
       "sea {}: {:.2g} % of its m0 lie outside the frequencies that are computed, {:.4g} … {:.4g} "
       "rad/s",
@@ -61,11 +61,11 @@ void hold_against(const wave::SeaState& sea, const SeaBand& band, Log& log) {
 }  // namespace
 
 SeaBand prepare_seas(const Case& data, const Meshes& meshes, Log& log) {
-  if (data.seas.empty()) return {};
+  if (data.seas.empty() && !(data.sea_grid.from && data.sea_grid.to)) return {};
   SeaBand band{std::numeric_limits<double>::infinity(), 0.0};
   for (const wave::SeaState& sea : data.seas) {
-    band.from = std::min(band.from, quantile(sea.spectrum, kShareBelow));
-    band.to = std::max(band.to, quantile(sea.spectrum, 1.0 - kShareAbove));
+    band.from = std::min(band.from, quantile(sea, kShareBelow));
+    band.to = std::max(band.to, quantile(sea, 1.0 - kShareAbove));
   }
   band.to = std::min(band.to, resolved_frequency(data, meshes));
   if (data.sea_grid.from) band.from = *data.sea_grid.from;

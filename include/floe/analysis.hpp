@@ -135,14 +135,18 @@ class Log {
 };
 
 /// Where results go. Called in this order: once `begin`, once `modes`, each frequency by rising ω,
-/// each sea and mean heading as in the case, once `finish`.
+/// once `finish`. With seas, after the frequencies: once `begin_seas`, the transfer functions by
+/// rising ω, each sea and mean heading as in the case, once `end_seas`.
 class Store {
  public:
   virtual ~Store() = default;
   virtual void begin(const Case& data, const mesh::Q8Mesh& mesh) = 0;
   virtual void modes(const plate::DryModes& modes) = 0;
   virtual void frequency(const FrequencyResult& result) = 0;
+  virtual void begin_seas(const SeaObservation&) {}
+  virtual void sea_transfer(const SeaTransfer&) {}
   virtual void sea(const SeaResult&) {}
+  virtual void end_seas(const SeaGridReport&) {}
   virtual void finish(const std::vector<StageTime>& times) = 0;
 };
 

@@ -59,4 +59,20 @@ MatXcd StaticCorrection::displacement(const Eigen::Ref<const MatXcd>& load, doub
   return solve_complex(*factor_, rest) / Complex(1.0, -loss_factor_);
 }
 
+StaticCorrection::Influence StaticCorrection::influence(const SparseMatrix& functional) const {
+  FLOE_EXPECT(functional.cols() == inertia_.rows());
+  // Take the modes' share out of a displacement: the transpose of what `displacement` does to loads
+  const Eigen::LLT<MatXd> gram(modes_.modal_mass);
+  const auto without_modes = [&](MatXd field) -> MatXd {
+    return field - modes_.shape * gram.solve(inertia_.transpose() * field);
+  };
+  MatXd first(functional.cols(), functional.rows()), second(first.rows(), first.cols());
+  factor_->solve(MatXd(functional.transpose()), first);
+  first = without_modes(std::move(first));
+  factor_->solve(mass_ * first, second);
+  second = without_modes(std::move(second));
+  const auto deflections = Eigen::seq(0, Eigen::last, kUnknownsPerNode);
+  return {first(deflections, Eigen::all), second(deflections, Eigen::all), shift_};
+}
+
 }  // namespace floe::plate

@@ -48,6 +48,34 @@ DirectionGrid direction_grid(const wave::Spreading& spreading, double mean, int 
                    " headings around the circle (use long crests, \"none\")");
 }
 
+CircleInterpolation::CircleInterpolation(const std::vector<double>& heading, int circle) {
+  FLOE_EXPECT(circle > 0 && circle % 2 == 0);
+  const double step = kTurn / circle;
+  bool among = true;
+  for (const double angle : heading) {
+    const double place = angle / step;
+    among = among && std::abs(place - std::round(place)) < 1e-9;
+    const auto index = static_cast<Index>(std::llround(place)) % circle;
+    pick_.push_back(index < 0 ? index + circle : index);
+  }
+  if (among) return;
+
+  // The interpolant through a unit value at one heading: sin(Mx/2) / (M tan(x/2)), M even
+  pick_.clear();
+  kernel_.resize(circle, static_cast<Index>(heading.size()));
+  for (std::size_t b = 0; b < heading.size(); ++b)
+    for (Index j = 0; j < circle; ++j) {
+      const double x = std::remainder(heading[b] - static_cast<double>(j) * step, kTurn);
+      kernel_(j, static_cast<Index>(b)) =
+          std::abs(x) < 1e-12 ? 1.0 : std::sin(0.5 * circle * x) / (circle * std::tan(0.5 * x));
+    }
+}
+
+MatXcd CircleInterpolation::operator()(const MatXcd& values) const {
+  if (kernel_.size() > 0) return values * kernel_.cast<Complex>();
+  return values(Eigen::all, pick_);
+}
+
 std::vector<double> trapezoid_weights(const std::vector<double>& omega) {
   std::vector<double> weight(omega.size(), 0.0);
   for (std::size_t i = 1; i < omega.size(); ++i) {

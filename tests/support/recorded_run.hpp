@@ -13,7 +13,10 @@ struct RecordedRun {
   Case data;
   plate::DryModes modes;
   std::vector<FrequencyResult> frequencies;
+  SeaObservation observation;
+  std::vector<SeaTransfer> transfers;
   std::vector<SeaResult> seas;
+  SeaGridReport sea_grid;
   std::vector<std::string> notices, warnings;
 };
 
@@ -23,6 +26,9 @@ class RecordingStore final : public Store {
   void begin(const Case& data, const mesh::Q8Mesh&) override { run_.data = data; }
   void modes(const plate::DryModes& modes) override { run_.modes = modes; }
   void frequency(const FrequencyResult& result) override { run_.frequencies.push_back(result); }
+  void begin_seas(const SeaObservation& given) override { run_.observation = given; }
+  void sea_transfer(const SeaTransfer& given) override { run_.transfers.push_back(given); }
+  void end_seas(const SeaGridReport& given) override { run_.sea_grid = given; }
   void sea(const SeaResult& result) override { run_.seas.push_back(result); }
   void finish(const std::vector<StageTime>&) override {}
 

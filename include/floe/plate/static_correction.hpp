@@ -29,6 +29,17 @@ class StaticCorrection {
   MatXcd displacement(const Eigen::Ref<const MatXcd>& load, double omega,
                       const MatXcd& amplitudes) const;
 
+  /// The same seen from a linear functional c of the displacement, cᵀδ = ∫ a p dS with
+  /// a = constant + (shift + ω²) slope, without the loss factor (E.12). Deflections at the nodes, N
+  /// × functionals, of the rows of `functional` (functionals × 3N).
+  struct Influence {
+    MatXd constant;      ///< [unit of the functional per N]
+    MatXd slope;         ///< [the same s²]
+    double shift = 0.0;  ///< [1/s²]
+    MatXd at(double omega) const { return constant + (shift + omega * omega) * slope; }
+  };
+  Influence influence(const SparseMatrix& functional) const;
+
  private:
   DryModes modes_;
   double loss_factor_;

@@ -30,6 +30,10 @@ class ModalBasis {
   /// A structural quantity at all points for amplitudes ξ (q × headings) at ω: points × headings.
   MatXcd evaluate(Quantity quantity, double omega, const MatXcd& amplitudes) const;
 
+  /// A section force at all points as a functional of the displacement, points × 3N, without the
+  /// loss factor.
+  const SparseMatrix& section_force(Quantity quantity) const { return section_force_.at(quantity); }
+
   /// A section force at all points of a displacement (3N × headings): points × headings.
   MatXcd evaluate_displacement(Quantity quantity, const MatXcd& displacement) const;
 

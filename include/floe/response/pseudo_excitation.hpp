@@ -20,6 +20,21 @@ struct DirectionGrid {
 /// Throws InputError when 36,000 on the circle do not resolve the spreading.
 DirectionGrid direction_grid(const wave::Spreading& spreading, double mean, int least_count);
 
+/// Carries what is known on the full circle to any headings, by trigonometric interpolation: exact
+/// for what has fewer than half as many harmonics as there are headings on the circle.
+class CircleInterpolation {
+ public:
+  /// From `circle` equidistant headings, starting at 0, to `heading` [rad].
+  CircleInterpolation(const std::vector<double>& heading, int circle);
+
+  /// rows × circle to rows × headings.
+  MatXcd operator()(const MatXcd& values) const;
+
+ private:
+  std::vector<Index> pick_;  // where every heading is one of the circle's
+  MatXd kernel_;             // otherwise, circle × headings
+};
+
 /// Weights of the rule of trapezoids on ascending, uneven frequencies [rad/s].
 std::vector<double> trapezoid_weights(const std::vector<double>& omega);
 

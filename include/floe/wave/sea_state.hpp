@@ -8,14 +8,24 @@
 
 namespace floe::wave {
 
-/// A stationary sea S(ω) D(θ - θ̄), for one or more mean headings θ̄.
-struct SeaState {
-  std::string name;
-  std::string description;  ///< spectrum and spreading in words, for people
+/// Waves of one origin, S(ω) D(θ - θ̄): a wind sea or a swell.
+struct Partition {
   Spectrum spectrum;
   Spreading spreading;
+  double turn_deg = 0.0;  ///< of its mean heading from the sea's [deg]
+};
+
+/// A stationary sea, the sum of its partitions, for one or more mean headings θ̄.
+struct SeaState {
+  std::string name;
+  std::string description;               ///< spectrum and spreading in words, for people
+  std::vector<Partition> partitions;     ///< one or more
   std::vector<double> mean_heading_deg;  ///< where the waves travel to, from +x towards +y [deg]
   bool allow_truncation = false;         ///< accept more than 5 % of m0 outside the computed band
+
+  double density(double omega) const;             ///< S(ω) over all directions [m² s/rad]
+  double variance(double from, double to) const;  ///< ∫ S dω [m²]
+  double m0() const;                              ///< over all frequencies [m²]
 };
 
 }  // namespace floe::wave

@@ -1,0 +1,134 @@
+#include <floe/analysis.hpp>
+#include <floe/sea_statistics.hpp>
+
+#include <expect.hpp>
+#include <gtest/gtest.h>
+#include <recorded_run.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace floe {
+namespace {
+
+using response::Quantity;
+
+// A band of few solves on a coarse mesh, with everything that statistics tell
+const test::RecordedRun& small_run() {
+  static const test::RecordedRun run = [] {
+    Case data = test::table1_case(24, 6);
+    data.mode_count = 12;
+    data.plate.loss_factor = 0.05;
+    data.omega = {0.5};
+    data.heading_deg = {0.0, 30.0, 105.0};
+    data.quantities = {Quantity::kDeflection,     Quantity::kAcceleration, Quantity::kSlopeX,
+                       Quantity::kBendingMomentX, Quantity::kShearForceX,  Quantity::kPressure,
+                       Quantity::kSurfaceStressX};
+    data.sea_grid = {.from = 0.5, .to = 0.9, .tolerance = 1e-3};
+    data.seas = {
+        {.name = "wind sea",
+         .description = "",
+         .partitions = {{wave::Spectrum::bretschneider(2.0, 8.5),
+                         wave::Spreading::cosine_power(2.0)}},
+         .mean_heading_deg = {0.0, 40.0},
+         .allow_truncation = true},
+        {.name = "long crests",
+         .description = "",
+         .partitions = {{wave::Spectrum::bretschneider(2.0, 8.5), wave::Spreading::none()}},
+         .mean_heading_deg = {30.0},
+         .allow_truncation = true}};
+    return test::run(data);
+  }();
+  return run;
+}
+
+TEST(twin_Seas, TransferFunctionsAreTheRaosOfTheSameWave) {
+  // The lowest frequency of the band is solved by itself in both stages; what the sea's stage does
+  // by reciprocity, the other does by a diffraction problem: they differ by the discretisation
+  const test::RecordedRun& run = small_run();
+  const SeaTransfer& transfer = run.transfers.front();
+  ASSERT_EQ(transfer.omega, 0.5);
+  const Index points = static_cast<Index>(run.data.points.size());
+  const double circle = static_cast<double>(transfer.state.cols());
+  const MatXcd seen = run.observation.points.cast<Complex>() * transfer.state;
+  for (std::size_t k = 0; k < run.observation.quantity.size(); ++k) {
+    const std::size_t q = run.observation.quantity[k];
+    const MatXd rao = run.frequencies[0].point_quantities[q].cwiseAbs();
+    const double factor = std::pow(0.5, run.observation.derivative[k]);
+    for (Index h = 0; h < rao.cols(); ++h) {
+      const double degrees = run.data.heading_deg[static_cast<std::size_t>(h)];
+      const auto column = static_cast<Index>(std::lround(degrees / 360.0 * circle));
+      const VecXd own =
+          factor * seen.col(column).segment(static_cast<Index>(k) * points, points).cwiseAbs();
+      EXPECT_LE((own - rao.col(h)).cwiseAbs().maxCoeff(), 1e-2 * rao.maxCoeff())
+          << response::name(run.data.quantities[q]) << " at " << degrees << "°";
+    }
+  }
+}
+
+TEST(twin_Seas, LongCrestsHaveTheSpectrumTimesTheSquaredRao) {
+  const test::RecordedRun& run = small_run();
+  const SeaResult& sea = run.seas.at(2);
+  ASSERT_EQ(sea.sea, "long crests");
+  const VecXcd rao = run.frequencies[0].point_deflection.col(1);
+  const double density = run.data.seas[1].density(0.5);
+  EXPECT_LE(test::relative_error(sea.spectra[0].col(0), density * rao.cwiseAbs2()), 5e-3);
+}
+
+TEST(identity_Seas, MeanHeadingsBetweenTheDirectionsAreInterpolatedExactly) {
+  // 40° is none of the circle's headings; on a circle with three times as many headings it is one.
+  // What differs is the sum over directions, of third order in 7.5° at the ends of the lobe
+  const test::RecordedRun& run = small_run();
+  const auto circle = static_cast<int>(run.transfers.front().state.cols());
+  ASSERT_NE(std::fmod(40.0 * circle / 360.0, 1.0), 0.0);
+  std::vector<double> omega, finer;
+  for (int i = 0; i < 3 * circle; ++i) finer.push_back(2.0 * M_PI * i / (3 * circle));
+  for (const SeaTransfer& transfer : run.transfers) omega.push_back(transfer.omega);
+  SeaStatistics statistics(run.data.seas, run.observation, omega, 3 * circle);
+  const response::CircleInterpolation interpolate(finer, circle);
+  for (const SeaTransfer& transfer : run.transfers)
+    statistics.add({transfer.omega, interpolate(transfer.state)});
+  const std::vector<SeaResult> fine = statistics.results();
+  for (std::size_t s = 0; s < fine.size(); ++s)
+    for (std::size_t q = 0; q < fine[s].moments.size(); ++q)
+      EXPECT_LE(test::relative_error(run.seas[s].moments[q], fine[s].moments[q]), 1e-4) << s << q;
+}
+
+TEST(identity_Seas, NodesLinesAndPointsTellTheSameDeviation) {
+  const test::RecordedRun& run = small_run();
+  for (const SeaResult& sea : run.seas) {
+    // P5 is a node of the mesh: its deflection is one of the nodes'
+    const double own = sea.moments[0](4, 0);
+    EXPECT_LE((sea.node_moments.col(0).array() - own).abs().minCoeff(), 1e-10 * own);
+    EXPECT_GT(sea.share_outside, 0.0);
+    EXPECT_LT(sea.grid_error, 1e-2);
+  }
+  EXPECT_LT(static_cast<std::size_t>(run.sea_grid.solved_frequencies), run.transfers.size() / 2);
+  EXPECT_LE(run.sea_grid.interpolation_error, 1e-3);
+}
+
+TEST(identity_Seas, PartitionsAddUp) {
+  const test::RecordedRun& run = small_run();
+  wave::SeaState both = run.data.seas[0];
+  both.mean_heading_deg = {0.0};
+  both.partitions.push_back(
+      {wave::Spectrum::bretschneider(2.0, 8.5), wave::Spreading::none(), 30.0});
+  std::vector<double> omega;
+  for (const SeaTransfer& transfer : run.transfers) omega.push_back(transfer.omega);
+  SeaStatistics statistics({both}, run.observation, omega,
+                           static_cast<int>(run.transfers.front().state.cols()));
+  for (const SeaTransfer& transfer : run.transfers) statistics.add(transfer);
+  const SeaResult sum = statistics.results().front();
+  EXPECT_LE(test::relative_error(sum.moments[3], run.seas[0].moments[3] + run.seas[2].moments[3]),
+            1e-12);
+}
+
+TEST(Seas, TellWhatIsLeftOut) {
+  const auto& notices = small_run().notices;
+  EXPECT_TRUE(std::any_of(notices.begin(), notices.end(), [](const std::string& text) {
+    return text.find("pressure") != std::string::npos;
+  }));
+}
+
+}  // namespace
+}  // namespace floe
