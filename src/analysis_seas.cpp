@@ -3,7 +3,6 @@
 
 #include <floe/coupling/modal_equation.hpp>
 #include <floe/hydro/surface_integrals.hpp>
-#include <floe/plate/mindlin.hpp>
 #include <floe/sea_statistics.hpp>
 #include <floe/wave/dispersion.hpp>
 
@@ -48,7 +47,8 @@ plate::StaticCorrection::Influence influences(const Case& data, const PlateModel
 }
 
 // The quantities that follow from the displacement, in rows that observe states at the points
-SeaObservation observe(const Case& data, const PlateModel& plate, Index influence_count, Log& log) {
+SeaObservation observe(const Case& data, const PlateModel& plate, const FluidModel& fluid,
+                       Index influence_count, Log& log) {
   const Index modes = plate.modes.count(), points = static_cast<Index>(data.points.size());
   const MatXcd unit = MatXcd::Identity(modes, modes);
   SeaObservation observed;
@@ -76,8 +76,7 @@ SeaObservation observe(const Case& data, const PlateModel& plate, Index influenc
     observed.derivative.push_back(derivative);
   }
   observed.lines = plate.lines.evaluate(Quantity::kDeflection, 1.0, unit).real();
-  observed.nodes =
-      plate.modes.shape(Eigen::seq(0, Eigen::last, plate::kUnknownsPerNode), Eigen::all);
+  observed.nodes = fluid.deflection;
   return observed;
 }
 
@@ -175,7 +174,7 @@ void solve_seas(const Case& data, const SeaBand& band, const PlateModel& plate,
   const double length = std::max(kReferenceLength / 10.0, mesh.size());
   const plate::StaticCorrection::Influence influence =
       clock.time("seas: influences", [&] { return influences(data, plate, fluid); });
-  const SeaObservation observation = observe(data, plate, influence.constant.cols(), log);
+  const SeaObservation observation = observe(data, plate, fluid, influence.constant.cols(), log);
   SeaGridReport grid{fine_frequencies(data, band, length), circle_headings(data, mesh, band.to)};
   SeaStatistics statistics(data.seas, observation, grid.omega, grid.headings);
   store.begin_seas(observation);

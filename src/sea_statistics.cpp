@@ -107,6 +107,7 @@ SeaResult SeaStatistics::result_of(const Sum& sum) const {
   result.mean_heading_deg = sum.mean_heading_deg;
   result.omega = omega_;
   result.quantity = observation_.quantity;
+  result.duration = sea.duration;
   result.significant_height = 4.0 * std::sqrt(sea.m0());
   result.share_outside = 1.0 - sea.variance(omega_.front(), omega_.back()) / sea.m0();
 

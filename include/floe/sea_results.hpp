@@ -24,7 +24,7 @@ struct SeaObservation {
   std::vector<int> derivative;        ///< in time, one a quantity
   MatXd points;                       ///< (quantities · points) × (q + m), points run faster
   MatXd lines;                        ///< deflection at the stations of all lines × q
-  MatXd nodes;                        ///< deflection at the nodes of the plate's mesh × q
+  MatXd nodes;                        ///< deflection at the nodes of the fluid's mesh × q
 };
 
 /// States of the waves of one frequency from all directions, per metre of wave.
@@ -51,7 +51,8 @@ struct SeaResult {
   std::vector<MatXd> spectra;         ///< one a quantity: points × frequencies [unit² s/rad]
   std::vector<MatXd> moments;         ///< one a quantity: points × (m0, m1, m2, m4)
   VecXd line_deviation;               ///< of the deflection, stations of all lines in order [m]
-  MatXd node_moments;                 ///< of the deflection, nodes of the plate × (m0, m1, m2, m4)
+  MatXd node_moments;                 ///< of the deflection, nodes of the mesh × (m0, m1, m2, m4)
+  double duration = 0.0;              ///< of the storm [s]
   double significant_height = 0.0;    ///< 4√m0 of the waves, all frequencies [m]
   double share_outside = 0.0;         ///< of the sea's m0, beyond the band
   double grid_error = 0.0;            ///< of m0 at the points: every frequency against every other

@@ -29,17 +29,6 @@ toml::table parse(const std::string& content, const CaseSource& source) {
   }
 }
 
-// Sections of the format that this version cannot serve yet are refused by name
-void refuse_later_sections(const toml::table& table, const CaseSource& source) {
-  for (const toml::key* key : keys_in_file_order(table)) {
-    const bool list = key->str() == "sea";
-    if (!list && key->str() != "sea_grid") continue;
-    const std::string shown_name = list ? "[[sea]]" : "[sea_grid]";
-    source.refuse(key->source(), fmt::format("{} is not available yet in this version ({})",
-                                             shown_name, FLOE_VERSION));
-  }
-}
-
 void require_sections(const Section& root) {
   for (const char* name : {"water", "plate", "mesh", "waves"})
     root.require(name, fmt::format("a section [{}] is required", name));
@@ -68,9 +57,9 @@ CaseFile read_case(const std::filesystem::path& path) {
   FLOE_VALIDATE(content.find_first_not_of(" \t\r\n") != std::string::npos,
                 source.name << ": the file is empty (must hold a case)");
   const toml::table table = parse(content, source);
-  refuse_later_sections(table, source);
-  const Section root(table, "", source,
-                     {"title", "water", "plate", "mesh", "modes", "waves", "solver", "output"});
+  const Section root(
+      table, "", source,
+      {"title", "water", "plate", "mesh", "modes", "waves", "solver", "sea_grid", "sea", "output"});
   require_sections(root);
 
   // Check each section and take it over
@@ -83,6 +72,7 @@ CaseFile read_case(const std::filesystem::path& path) {
   read_waves(root, file.data);
   read_solver(root, file.data);
   read_output(root, file.data);
+  read_seas(root, file.data);
   file.notices = std::move(source.notices);
   file.warnings = std::move(source.warnings);
   return file;

@@ -37,10 +37,7 @@ const toml::table& named_table(const Section& output, const std::string& key) {
                            fmt::format("invalid {} = {} (must be a table {{ name = … }})",
                                        output.full_name(key), shown(*node)));
   for (const toml::key* name : keys_in_file_order(*node->as_table()))
-    if (!is_good_name(name->str()))
-      output.source().refuse(name->source(),
-                             fmt::format("invalid name in {} = {} ({})", output.full_name(key),
-                                         shown_text(name->str()), kNameRequired));
+    check_name(name->str(), name->source(), "name in " + output.full_name(key), output.source());
   return *node->as_table();
 }
 
@@ -155,6 +152,13 @@ std::vector<FieldRequest> read_fields(const Section& output, const Case& data) {
 }
 
 }  // namespace
+
+void check_name(std::string_view name, const toml::source_region& place, const std::string& what,
+                const CaseSource& source) {
+  if (!is_good_name(name))
+    source.refuse(place,
+                  fmt::format("invalid {} = {} ({})", what, shown_text(name), kNameRequired));
+}
 
 void read_output(const Section& root, Case& data) {
   if (!root.find("output")) return;

@@ -17,6 +17,14 @@ void read_modes(const Section& root, Case& data);
 void read_waves(const Section& root, Case& data);  ///< needs the water
 void read_solver(const Section& root, Case& data);
 void read_output(const Section& root, Case& data);  ///< needs the waves
+/// `[sea_grid]` and `[[sea]]`; a fault of a sea is a DataError.
+void read_seas(const Section& root, Case& data);
+/// `[[sea]]` alone.
+std::vector<wave::SeaState> read_sea_states(const Section& root);
+
+/// Refuses a name that would be special in a table or a spreadsheet.
+void check_name(std::string_view name, const toml::source_region& place, const std::string& what,
+                const CaseSource& source);
 
 /// The keys under which waves can be named, and the frequency [rad/s] that a value of one means.
 const std::vector<std::string>& wave_axes();

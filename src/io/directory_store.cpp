@@ -1,6 +1,7 @@
 #include "io/output_directory.hpp"
 #include "io/result_tables.hpp"
 #include "io/run_json.hpp"
+#include "io/sea_tables.hpp"
 #include "io/vtu.hpp"
 
 #include <floe/io/directory_store.hpp>
@@ -25,6 +26,8 @@ class DirectoryStore::Impl {
   void begin(const Case& given, const mesh::Q8Mesh& given_mesh);
   void modes(const plate::DryModes& dry);
   void frequency(const FrequencyResult& result);
+  void sea(const SeaResult& result) { seas_.push_back(result); }
+  void end_seas(const SeaGridReport& grid);
   void end(const std::string& status);
 
   OutputDirectory directory;
@@ -41,6 +44,7 @@ class DirectoryStore::Impl {
   std::vector<std::string> remarks_;
   std::optional<ResultTables> tables_;
   std::vector<PvdEntry> fields_;
+  std::vector<SeaResult> seas_;
 };
 
 void DirectoryStore::Impl::begin(const Case& given, const mesh::Q8Mesh& given_mesh) {
@@ -105,6 +109,19 @@ void DirectoryStore::Impl::write_fields(const FrequencyResult& result) {
   }
 }
 
+void DirectoryStore::Impl::end_seas(const SeaGridReport& grid) {
+  account.sea_grid = grid;
+  if (seas_.empty()) return;
+  for (const SeaResult& sea : seas_)
+    account.seas.push_back(
+        {sea.sea, sea.mean_heading_deg, sea.significant_height, sea.share_outside, sea.grid_error});
+  account.files.insert(account.files.end(), sea_table_names().begin(), sea_table_names().end());
+  account.files.emplace_back("statistics.vtu");
+  write_account();
+  write_sea_tables(directory.path(), remarks_, data_, seas_);
+  write_statistics_vtu(file("statistics.vtu"), *mesh_, seas_);
+}
+
 void DirectoryStore::Impl::end(const std::string& status) {
   mesh_ = nullptr;
   if (!tables_) return;
@@ -131,6 +148,10 @@ void DirectoryStore::begin(const Case& data, const mesh::Q8Mesh& mesh) { impl_->
 void DirectoryStore::modes(const plate::DryModes& modes) { impl_->modes(modes); }
 
 void DirectoryStore::frequency(const FrequencyResult& result) { impl_->frequency(result); }
+
+void DirectoryStore::sea(const SeaResult& result) { impl_->sea(result); }
+
+void DirectoryStore::end_seas(const SeaGridReport& grid) { impl_->end_seas(grid); }
 
 void DirectoryStore::finish(const std::vector<StageTime>& times) {
   impl_->account.stages = times;

@@ -53,6 +53,25 @@ Json output_json(const Case& data) {
           {"fields", fields}};
 }
 
+Json sea_grid_json(const Case& data) {
+  Json grid = {{"tolerance", data.sea_grid.tolerance}};
+  if (data.sea_grid.from) grid["from"] = *data.sea_grid.from;
+  if (data.sea_grid.to) grid["to"] = *data.sea_grid.to;
+  return grid;
+}
+
+Json seas_json(const Case& data) {
+  Json seas = Json::array();
+  for (const wave::SeaState& sea : data.seas)
+    seas.push_back({{"name", sea.name},
+                    {"description", sea.description},
+                    {"significant_height", 4.0 * std::sqrt(sea.m0())},
+                    {"mean_heading_deg", sea.mean_heading_deg},
+                    {"duration", sea.duration},
+                    {"allow_truncation", sea.allow_truncation}});
+  return seas;
+}
+
 Json options_json(const Case& data) {
   const auto& p = data.plate;
   Json plate = {{"thickness", p.thickness},
@@ -73,8 +92,30 @@ Json options_json(const Case& data) {
       {"waves", {{"omega", data.omega}, {"heading_deg", data.heading_deg}}},
       {"solver",
        {{"method", method_name(data.method)}, {"route", "modal"}, {"tolerance", data.tolerance}}},
+      {"sea_grid", sea_grid_json(data)},
+      {"sea", seas_json(data)},
       {"output", output_json(data)},
       {"allow_coarse", data.allow_coarse}};
+}
+
+// What the seas' frequencies are worth, and what of each sea was left out
+Json sea_results_json(const RunAccount& account) {
+  const SeaGridReport& grid = account.sea_grid;
+  if (grid.omega.empty()) return nullptr;
+  Json seas = Json::array();
+  for (const RunAccount::Sea& sea : account.seas)
+    seas.push_back({{"sea", sea.name},
+                    {"mean_heading_deg", sea.mean_heading_deg},
+                    {"significant_height", sea.significant_height},
+                    {"share_outside", sea.share_outside},
+                    {"grid_error", sea.grid_error}});
+  return {{"from", grid.omega.front()},
+          {"to", grid.omega.back()},
+          {"frequencies", grid.omega.size()},
+          {"solved_frequencies", grid.solved_frequencies},
+          {"interpolation_error", grid.interpolation_error},
+          {"headings", grid.headings},
+          {"results", seas}};
 }
 
 Json plan_json(const RunAccount& account) {
@@ -128,6 +169,7 @@ std::string run_json(const Case& data, const RunAccount& account) {
         {"omega", account.dry_omega},
         {"estimated_frequency_error", account.dry_omega_error}}},
       {"frequencies", frequencies},
+      {"seas", sea_results_json(account)},
       {"warnings", account.warnings},
       {"stages", stages},
       {"peak_memory", numeric::peak_memory()},

@@ -24,6 +24,12 @@ struct RunAccount {
   double dry_omega_error = 0.0;    ///< largest relative error, estimated
   std::vector<double> wavenumber;  ///< one a finished frequency [rad/m]
   std::vector<FrequencyReport> frequencies;
+  SeaGridReport sea_grid;  ///< no frequency: no seas
+  struct Sea {
+    std::string name;
+    double mean_heading_deg, significant_height, share_outside, grid_error;
+  };
+  std::vector<Sea> seas;
   std::vector<StageTime> stages;
   std::vector<std::string> files;  ///< all files of the run, relative
 };

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <numbers>
 #include <span>
 
 namespace floe::io {
@@ -123,11 +124,10 @@ void add_mesh(VtuDocument& document, const mesh::Q8Mesh& mesh) {
   document.line("      </Cells>");
 }
 
-}  // namespace
-
-void write_vtu(const std::filesystem::path& path, const mesh::Q8Mesh& mesh,
-               const NodeField& field) {
-  require_finite(field, path);
+// A whole grid: what describes it, the point data and the mesh
+template <typename PointData>
+void write_grid(const std::filesystem::path& path, const mesh::Q8Mesh& mesh,
+                const std::vector<std::pair<std::string, double>>& described, PointData add_data) {
   VtuDocument document;
   document.line("<?xml version=\"1.0\"?>");
   document.line(
@@ -135,8 +135,7 @@ void write_vtu(const std::filesystem::path& path, const mesh::Q8Mesh& mesh,
       "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">");
   document.line("  <UnstructuredGrid>");
   document.line("    <FieldData>");
-  for (const auto& [name, value] :
-       {std::pair{"omega", field.omega}, std::pair{"heading_deg", field.heading_deg}})
+  for (const auto& [name, value] : described)
     document.line(
         fmt::format("      <DataArray type=\"Float64\" Name=\"{}\" NumberOfTuples=\"1\" "
                     "format=\"ascii\">{}</DataArray>",
@@ -144,11 +143,58 @@ void write_vtu(const std::filesystem::path& path, const mesh::Q8Mesh& mesh,
   document.line("    </FieldData>");
   document.line(fmt::format("    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">",
                             mesh.node_count(), mesh.element_count()));
-  add_point_data(document, field);
+  add_data(document);
   add_mesh(document, mesh);
   document.line("    </Piece>");
   document.line("  </UnstructuredGrid>");
   write_file(path, document.text());
+}
+
+// A name as an attribute of XML
+std::string escaped(const std::string& name) {
+  std::string text;
+  for (const char c : name) {
+    if (c == '&')
+      text += "&amp;";
+    else if (c == '<')
+      text += "&lt;";
+    else if (c == '>')
+      text += "&gt;";
+    else
+      text += c;
+  }
+  return text;
+}
+
+}  // namespace
+
+void write_vtu(const std::filesystem::path& path, const mesh::Q8Mesh& mesh,
+               const NodeField& field) {
+  require_finite(field, path);
+  write_grid(path, mesh, {{"omega", field.omega}, {"heading_deg", field.heading_deg}},
+             [&](VtuDocument& document) { add_point_data(document, field); });
+}
+
+void write_statistics_vtu(const std::filesystem::path& path, const mesh::Q8Mesh& mesh,
+                          const std::vector<SeaResult>& results) {
+  write_grid(path, mesh, {}, [&](VtuDocument& document) {
+    document.line("      <PointData>");
+    for (const SeaResult& result : results) {
+      const std::string name = escaped(result.sea) + "_" + shortest(result.mean_heading_deg);
+      const Index nodes = result.node_moments.rows();
+      std::vector<double> deviation, period;
+      for (Index i = 0; i < nodes; ++i) {
+        const double m0 = result.node_moments(i, 0), m2 = result.node_moments(i, 2);
+        deviation.push_back(std::sqrt(m0));
+        period.push_back(m2 > 0.0 ? 2.0 * std::numbers::pi * std::sqrt(m0 / m2) : 0.0);
+      }
+      FLOE_VALIDATE_AS(ConvergenceError, result.node_moments.allFinite(),
+                       "invalid deviations of sea " << result.sea << " (must be finite)");
+      document.add("std_w_" + name, "Float64", 1, deviation);
+      document.add("period_w_" + name, "Float64", 1, period);
+    }
+    document.line("      </PointData>");
+  });
 }
 
 void write_pvd(const std::filesystem::path& path, const std::vector<PvdEntry>& entries) {

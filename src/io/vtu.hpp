@@ -14,6 +14,11 @@ namespace floe::io {
 /// Throws ConvergenceError when a value is not finite, FileError when writing fails.
 void write_vtu(const std::filesystem::path& path, const mesh::Q8Mesh& mesh, const NodeField& field);
 
+/// Writes the standard deviation of the deflection and its zero-crossing period everywhere, for all
+/// seas and mean headings: point data std_w_NAME_HEADING [m] and period_w_NAME_HEADING [s].
+void write_statistics_vtu(const std::filesystem::path& path, const mesh::Q8Mesh& mesh,
+                          const std::vector<SeaResult>& results);
+
 /// One file of a collection.
 struct PvdEntry {
   double omega = 0.0;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <numbers>
 
 namespace floe::program {
@@ -84,6 +85,23 @@ void Account::frequency(const FrequencyResult& result) {
   line(fmt::format("{:8.4g}  {:10.4g}  {:>7}  {:8.1e}  {:11.1e}  {:8.1e}  {:>6}", report.omega,
                    wavelength, report.method, report.true_residual, report.reciprocity_error,
                    report.energy_error, format_duration(report.seconds)));
+}
+
+void Account::sea(const SeaResult& result) {
+  const double largest = std::sqrt(result.node_moments.col(0).maxCoeff());
+  if (style_ == ProgressStyle::kJson)
+    print_json({{"event", "sea"},
+                {"sea", result.sea},
+                {"mean_heading_deg", result.mean_heading_deg},
+                {"significant_height", result.significant_height},
+                {"share_outside", result.share_outside},
+                {"largest_std_deflection", largest}});
+  line(
+      fmt::format("{} sea {}, mean heading {:.4g}°: 4√m0 = {:.4g} m, largest standard "
+                  "deviation of the deflection {:.4g} m",
+                  table_open_ ? "\n" : "", result.sea, result.mean_heading_deg,
+                  result.significant_height, largest));
+  table_open_ = false;
 }
 
 void Account::show_warnings() {

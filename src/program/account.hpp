@@ -28,6 +28,7 @@ class Account final : public Log {
   /// An empty line.
   void gap() { line(""); }
   void frequency(const FrequencyResult& result);
+  void sea(const SeaResult& result);  ///< a line: what the waves are and where most moves
   /// Prints the warnings that came in since the last call.
   void show_warnings();
   const Screen& screen() const { return screen_; }

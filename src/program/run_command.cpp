@@ -70,6 +70,26 @@ class ToldStore final : public Store {
     stop_if_asked();
   }
 
+  void begin_seas(const SeaObservation& observation) override { store_.begin_seas(observation); }
+
+  void sea_transfer(const SeaTransfer& transfer) override {
+    store_.sea_transfer(transfer);
+    stop_if_asked();
+  }
+
+  void sea(const SeaResult& result) override {
+    store_.sea(result);
+    account_.sea(result);
+  }
+
+  void end_seas(const SeaGridReport& grid) override {
+    store_.end_seas(grid);
+    account_.fact("seas", fmt::format("{} frequencies from {} solved, interpolated to {:.1g}; {} "
+                                      "headings around the circle",
+                                      grid.omega.size(), grid.solved_frequencies,
+                                      grid.interpolation_error, grid.headings));
+  }
+
   void finish(const std::vector<StageTime>& times) override { store_.finish(times); }
 
   Index finished() const { return finished_; }

@@ -35,6 +35,8 @@ class DirectoryStore final : public Store {
   void begin(const Case& data, const mesh::Q8Mesh& mesh) override;
   void modes(const plate::DryModes& modes) override;
   void frequency(const FrequencyResult& result) override;
+  void sea(const SeaResult& result) override;
+  void end_seas(const SeaGridReport& grid) override;
   void finish(const std::vector<StageTime>& times) override;
 
   /// Ends a run that did not come to `finish`: keeps the products of all finished frequencies and

@@ -21,6 +21,7 @@ struct SeaState {
   std::string description;               ///< spectrum and spreading in words, for people
   std::vector<Partition> partitions;     ///< one or more
   std::vector<double> mean_heading_deg;  ///< where the waves travel to, from +x towards +y [deg]
+  double duration = 10'800.0;            ///< of the storm, for its largest value [s]
   bool allow_truncation = false;         ///< accept more than 5 % of m0 outside the computed band
 
   double density(double omega) const;             ///< S(ω) over all directions [m² s/rad]
