@@ -19,7 +19,7 @@ void analyse(const Case& data, Log& log, Store& store) {
 
   // Prepare what no frequency changes
   const FluidModel fluid =
-      clock.time("geometry", [&] { return prepare_fluid(data, meshes, plate); });
+      clock.time("geometry", [&] { return prepare_fluid(data, meshes, plate, band); });
 
   // Solve one frequency after the other
   const double count = static_cast<double>(data.omega.size());

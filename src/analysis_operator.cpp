@@ -20,7 +20,7 @@ bem::SumEngine engine_of(SolverMethod method) {
 
 }  // namespace
 
-FluidOperators prepare_operators(const Case& data, const mesh::Q8Mesh& mesh) {
+FluidOperators prepare_operators(const Case& data, const mesh::Q8Mesh& mesh, double highest) {
   FluidOperators plans{.method = resolve_method(data, mesh), .lattice = {}, .sums = {}};
   if (plans.method == SolverMethod::kLattice)
     plans.lattice = std::make_shared<const bem::LatticePlan>(mesh);
@@ -30,7 +30,7 @@ FluidOperators prepare_operators(const Case& data, const mesh::Q8Mesh& mesh) {
         bem::FastOptions{
             .engine = engine_of(plans.method),
             .tolerance = std::clamp(data.tolerance, kLeastSumTolerance, kLargestSumTolerance),
-            .max_wavenumber = wave::wavenumber(data.omega.back(), data.water),
+            .max_wavenumber = wave::wavenumber(highest, data.water),
             .memory_budget = numeric::memory_budget(data.memory_limit, numeric::memory_limits())});
   return plans;
 }

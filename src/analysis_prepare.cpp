@@ -107,9 +107,10 @@ PlateModel prepare_plate(const Case& data, const Meshes& meshes) {
           std::move(lines), std::move(correction),  std::move(from_plate)};
 }
 
-FluidModel prepare_fluid(const Case& data, const Meshes& meshes, const PlateModel& plate) {
+FluidModel prepare_fluid(const Case& data, const Meshes& meshes, const PlateModel& plate,
+                         const SeaBand& band) {
   const mesh::Q8Mesh& mesh = meshes.fluid;
-  FluidModel fluid{.operators = prepare_operators(data, mesh),
+  FluidModel fluid{.operators = prepare_operators(data, mesh, std::max(data.omega.back(), band.to)),
                    .integrals = bem::ElementIntegrals(mesh),
                    .surface_mass = hydro::surface_mass(mesh),
                    .deflection = plate.fluid_modes.shape(

@@ -143,27 +143,57 @@ MatXcd states(const Case& data, const PlateModel& plate, const FluidModel& fluid
   return state;
 }
 
-// Relative difference of the responses to two candidates, weighted by the square root of the waves'
-// energy there against the peak: what has no waves needs no accuracy
-FluidMarch::Difference response_difference(const Case& data, const PlateModel& plate,
-                                           const FluidModel& fluid, const SeaBand& band) {
-  std::vector<double> peak;
-  for (const wave::SeaState& sea : data.seas) {
-    double largest = 0.0;
-    for (int i = 0; i <= 2000; ++i)
-      largest = std::max(largest, sea.density(band.from + (band.to - band.from) * i / 2000));
-    peak.push_back(largest);
+// How much the responses to two candidates differ, for each quantity and the deflection as a whole
+// relative to the largest response so far, both in the sea: what neither wave nor plate has energy
+// in needs no accuracy
+class ResponseDifference {
+ public:
+  ResponseDifference(const Case& data, const PlateModel& plate, const FluidModel& fluid,
+                     const SeaObservation& observed)
+      : data_(data),
+        plate_(plate),
+        fluid_(fluid),
+        observed_(observed),
+        largest_(observed.quantity.size() + 1, 0.0) {}
+
+  double operator()(const FluidSample& a, const FluidSample& b) {
+    const MatXcd one = states(data_, plate_, fluid_, a, kProbeHeadings);
+    const MatXcd other = states(data_, plate_, fluid_, b, kProbeHeadings);
+    const Index modes = plate_.modes.count(), points = static_cast<Index>(data_.points.size());
+    const double wave = std::sqrt(density(a.omega));
+    double worst = compare(0, wave, one.topRows(modes), other.topRows(modes));
+    if (points == 0) return worst;
+    const MatXcd seen = observed_.points.cast<Complex>() * one;
+    const MatXcd seen_other = observed_.points.cast<Complex>() * other;
+    for (std::size_t q = 0; q < observed_.quantity.size(); ++q) {
+      const Index first = static_cast<Index>(q) * points;
+      const double scale = wave * std::pow(a.omega, observed_.derivative[q]);
+      worst = std::max(worst, compare(q + 1, scale, seen.middleRows(first, points),
+                                      seen_other.middleRows(first, points)));
+    }
+    return worst;
   }
-  return [=, &data, &plate, &fluid](const FluidSample& a, const FluidSample& b) {
-    double energy = data.seas.empty() ? 1.0 : 0.0;
-    for (std::size_t s = 0; s < data.seas.size(); ++s)
-      if (peak[s] > 0.0) energy = std::max(energy, data.seas[s].density(a.omega) / peak[s]);
-    const Index modes = plate.modes.count();
-    const MatXcd one = states(data, plate, fluid, a, kProbeHeadings).topRows(modes);
-    const MatXcd other = states(data, plate, fluid, b, kProbeHeadings).topRows(modes);
-    return std::sqrt(energy) * (one - other).norm() / one.norm();
-  };
-}
+
+ private:
+  double density(double omega) const {
+    double largest = data_.seas.empty() ? 1.0 : 0.0;
+    for (const wave::SeaState& sea : data_.seas)
+      largest = std::max(largest, sea.density(omega) / sea.m0());
+    return largest;
+  }
+
+  double compare(std::size_t place, double scale, const Eigen::Ref<const MatXcd>& one,
+                 const Eigen::Ref<const MatXcd>& other) {
+    largest_[place] = std::max(largest_[place], scale * one.norm());
+    return largest_[place] > 0.0 ? scale * (one - other).norm() / largest_[place] : 0.0;
+  }
+
+  const Case& data_;  // borrowed, as all
+  const PlateModel& plate_;
+  const FluidModel& fluid_;
+  const SeaObservation& observed_;
+  std::vector<double> largest_;
+};
 
 }  // namespace
 
@@ -186,7 +216,7 @@ void solve_seas(const Case& data, const SeaBand& band, const PlateModel& plate,
         return clock.time("seas: radiation",
                           [&] { return solve_sample(data, fluid, influence, omega); });
       },
-      response_difference(data, plate, fluid, band));
+      ResponseDifference(data, plate, fluid, observation));
   for (std::size_t i = 0; i < grid.omega.size(); ++i) {
     log.progress(static_cast<double>(i) / static_cast<double>(grid.omega.size()),
                  fmt::format("seas, {:.3f} rad/s", grid.omega[i]));

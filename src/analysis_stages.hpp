@@ -88,8 +88,10 @@ struct SeaBand {
 
 Meshes prepare_meshes(const Case& data, Log& log);
 PlateModel prepare_plate(const Case& data, const Meshes& meshes);
-FluidOperators prepare_operators(const Case& data, const mesh::Q8Mesh& mesh);
-FluidModel prepare_fluid(const Case& data, const Meshes& meshes, const PlateModel& plate);
+/// For frequencies up to `highest` [rad/s].
+FluidOperators prepare_operators(const Case& data, const mesh::Q8Mesh& mesh, double highest);
+FluidModel prepare_fluid(const Case& data, const Meshes& meshes, const PlateModel& plate,
+                         const SeaBand& band);
 std::unique_ptr<const bem::PressureOperator> make_operator(const Case& data,
                                                            const FluidModel& fluid,
                                                            const green::GreenTable& green);

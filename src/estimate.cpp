@@ -2,6 +2,7 @@
 #include <floe/estimate.hpp>
 #include <floe/numeric/error.hpp>
 #include <floe/numeric/memory.hpp>
+#include <floe/response/modal_basis.hpp>
 
 #include <fmt/format.h>
 
@@ -24,8 +25,13 @@ constexpr double kBytesOfIntegrals = 1000.0;     // rules, locator and sources, 
 constexpr double kLargestDense = 500.0;          // nodes up to which `auto` is dense
 constexpr double kLanczosSolves = 4.0;           // solves per mode
 
+constexpr double kSeaSolves = 40.0;    // frequencies that a sea makes the program solve
+constexpr double kSeaSamples = 9.0;    // of these in memory
+constexpr double kSeaHeadings = 32.0;  // whose wave loads a thread holds
+
 struct Sizes {
   double nodes, elements, modes, headings, frequencies, outputs;
+  double influences;  // section forces at points, each a column of the seas' radiation problem
 };
 
 Sizes sizes_of(const Case& data, const mesh::Q8Mesh& mesh) {
@@ -38,7 +44,11 @@ Sizes sizes_of(const Case& data, const mesh::Q8Mesh& mesh) {
           .modes = static_cast<double>(data.mode_count),
           .headings = static_cast<double>(data.heading_deg.size()),
           .frequencies = static_cast<double>(data.omega.size()),
-          .outputs = stations};
+          .outputs = stations,
+          .influences =
+              static_cast<double>(data.points.size()) *
+              static_cast<double>(std::count_if(data.quantities.begin(), data.quantities.end(),
+                                                response::is_section_force))};
 }
 
 // Sparse factor of a plane mesh by nested dissection: n log n entries, n^1.5 operations
@@ -96,6 +106,16 @@ StageEstimate estimate_response(const Sizes& s) {
           .seconds = s.frequencies * work / kSparseRate};
 }
 
+// As many radiation problems as the error estimate may ask for, the latest of them held
+StageEstimate estimate_seas(const Sizes& s, const StageEstimate& radiation, int threads) {
+  const double columns = s.modes + s.influences;
+  const double share = columns / (s.modes + s.headings);
+  return {.stage = "seas",
+          .memory = radiation.memory + 16.0 * s.nodes * kSeaSamples * columns +
+                    8.0 * s.nodes * kSeaHeadings * threads,
+          .seconds = kSeaSolves * share * radiation.seconds / std::max(1.0, s.frequencies)};
+}
+
 }  // namespace
 
 const char* method_name(SolverMethod method) {
@@ -132,6 +152,8 @@ Estimate estimate(const Case& data, const mesh::Q8Mesh& mesh, int threads) {
           : estimate_iterative_radiation(s, method, krylov_memory(data, mesh),
                                          std::max(1, threads));
   needed.stages = {estimate_modes(s), radiation, estimate_response(s)};
+  if (!data.seas.empty() || (data.sea_grid.from && data.sea_grid.to))
+    needed.stages.push_back(estimate_seas(s, radiation, std::max(1, threads)));
   needed.knobs = "a coarser mesh, fewer modes, a larger --memory";
 
   // Mode shapes and the mesh live through all stages

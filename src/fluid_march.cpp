@@ -9,8 +9,9 @@ namespace {
 
 constexpr Index kCubic = 4;
 constexpr double kFinest = 1.0 / 64.0;  // of the first step
-constexpr double kCoarsest = 4.0;
-constexpr double kEasy = 1.0 / 50.0;  // of the tolerance: the next step may grow
+constexpr double kCoarsest = 6.0;
+constexpr double kEasy =
+    1.0 / 10.0;  // of the tolerance: 1.5⁴ times more is safe, the next step may grow
 
 double node_polynomial(std::span<const double> nodes, double x) {
   double product = 1.0;

@@ -11,8 +11,9 @@ double grid_step(const mesh::Q8Mesh& mesh, double wavenumber, double points_per_
   const double wanted = 2.0 * std::numbers::pi / (wavenumber * points_per_wavelength);
   const double nodes = std::sqrt(mesh.area() / double(mesh.node_count()));
   const double side = (mesh.upper() - mesh.lower()).minCoeff();
-  // Rather a little finer than wanted, but never finer than allowed
-  const double floor = std::max(nodes, least);
+  // Rather a little finer than wanted, but never finer than allowed. Twice as fine as the nodes is:
+  // bicubic interpolation between fewer than five points a wavelength costs the solver many steps
+  const double floor = std::max(0.5 * nodes, least);
   const double cells = std::ceil(side / std::max(wanted, floor) - 1e-9);
   return std::max(side / std::max(1.0, cells), floor);
 }

@@ -6,8 +6,9 @@
 
 namespace floe::bem {
 
-/// Edge of the cells of a grid [m] with so many points a wavelength, but no finer than the nodes of
-/// the mesh nor than `least`. The shorter side of the bounding box is a whole number of cells.
+/// Edge of the cells of a grid [m] with so many points a wavelength, but no finer than half the
+/// distance of the mesh's nodes nor than `least`. The shorter side of the bounding box is a whole
+/// number of cells.
 double grid_step(const mesh::Q8Mesh& mesh, double wavenumber, double points_per_wavelength,
                  double least);
 

@@ -77,6 +77,54 @@ TEST(Run, StoresTheWholeResultOfATinyCase) {
   EXPECT_EQ(names_in(folder.path() / "tiny.out/fields").size(), 2u);
 }
 
+const std::string kSeaSection = R"([sea_grid]
+omega = { from = 0.4, to = 0.8 }
+[[sea]]
+name = "design"
+spectrum = "bretschneider"
+significant_height = 2.0
+significant_period = 10.0
+spreading = "cos2"
+mean_heading_deg = [0, 40]
+allow_truncation = true
+)";
+
+TEST(Run, TellsWhatASeaDoes) {
+  const TestFolder folder;
+  folder.write("tiny.toml", kCaseText + kOutput + kSeaSection);
+  const ProgramResult result = run_floe(folder, "run tiny.toml --allow-coarse");
+  ASSERT_EQ(result.code, 0) << result.error;
+  EXPECT_THAT(result.output, HasSubstr("pressure is left out of the statistics of seas"));
+  EXPECT_THAT(result.output, HasSubstr("sea design, mean heading 40°: 4√m0 = 1.998 m"));
+  EXPECT_THAT(result.output, HasSubstr("of its m0 lie outside the frequencies that are computed"));
+  // Two headings, two points, two quantities; five stations
+  EXPECT_EQ(rows_in(folder.read("tiny.out/statistics_points.csv")), 2 * 2 * 2);
+  EXPECT_EQ(rows_in(folder.read("tiny.out/design_values.csv")), 2 * 2 * 2);
+  EXPECT_EQ(rows_in(folder.read("tiny.out/statistics_lines.csv")), 2 * 5);
+  const auto run = nlohmann::json::parse(folder.read("tiny.out/run.json"));
+  const int frequencies = run.at("seas").at("frequencies");
+  EXPECT_EQ(rows_in(folder.read("tiny.out/spectra_points.csv")), 2 * 2 * 2 * frequencies);
+  EXPECT_LT(run.at("seas").at("solved_frequencies").get<int>(), frequencies);
+  EXPECT_THAT(folder.read("tiny.out/statistics.vtu"), HasSubstr("std_w_design_40"));
+  for (const char* name : {"spectra_points.csv", "statistics.vtu"})
+    EXPECT_THAT(run.at("files").get<std::vector<std::string>>(), testing::Contains(name));
+  // --fresh takes them away again
+  folder.write("tiny.toml", kCaseText + kOutput);
+  ASSERT_EQ(run_floe(folder, "run tiny.toml --fresh").code, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "tiny.out/statistics.vtu"));
+}
+
+TEST(Run, RefusesASeaWhoseEnergyLiesElsewhere) {
+  const TestFolder folder;
+  std::string sea = kSeaSection;
+  sea.replace(sea.find("allow_truncation = true"), 23, "");
+  folder.write("tiny.toml", kCaseText + kOutput + sea);
+  const ProgramResult result = run_floe(folder, "run tiny.toml --allow-coarse");
+  EXPECT_EQ(result.code, 5);
+  EXPECT_THAT(result.error, HasSubstr("sea design: "));
+  EXPECT_THAT(result.error, HasSubstr("(at most 5 %; widen sea_grid.omega"));
+}
+
 TEST(Run, GivesTheSameBytesForAnyNumberOfThreads) {
   const TestFolder folder;
   folder.write("tiny.toml", kCaseText + kOutput);

@@ -9,7 +9,7 @@
 namespace floe::bem {
 
 struct CoarseOptions {
-  double points_per_wavelength = 10.0;  ///< of the grid, which is never finer than the mesh
+  double points_per_wavelength = 10.0;  ///< of the grid, at most two a node
   Index max_unknowns = 2000;            ///< the grid is coarsened to about that
 };
 

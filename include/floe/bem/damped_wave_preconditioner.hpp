@@ -12,7 +12,7 @@ namespace floe::bem {
 class PlateGrid;
 
 struct DampedWaveOptions {
-  double points_per_wavelength = 8.0;  ///< of the grid, which is never finer than the mesh
+  double points_per_wavelength = 8.0;  ///< of the grid, at most two a node
   double points_per_node = 4.0;        ///< most points of the bounding box, times the nodes
   double damping = 0.35;               ///< ε kB in ν' = ν(1 + iε)
 };

@@ -1,0 +1,168 @@
+#include "test_case.hpp"
+
+#include <floe/io/case_file.hpp>
+#include <floe/numeric/error.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace floe::io {
+namespace {
+
+using test::kCaseText;
+using test::TestFolder;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const std::string kSea = R"([[sea]]
+name = "design"
+spectrum = "bretschneider"
+significant_height = 2.0
+significant_period = 6.3
+spreading = "cos2"
+mean_heading_deg = [0, 30]
+)";
+
+Case read_with(const std::string& seas) {
+  const TestFolder folder;
+  return read_case(folder.write("case.toml", kCaseText + seas)).data;
+}
+
+// kSea with `from` replaced by `to`
+std::string changed(const std::string& from, const std::string& to) {
+  std::string text = kSea;
+  const auto at = text.find(from);
+  return at == std::string::npos ? "no such text" : text.replace(at, from.size(), to);
+}
+
+// What a fault in a sea says; a DataError is what becomes exit code 5
+std::string refusal(const std::string& seas) {
+  const TestFolder folder;
+  const auto path = folder.write("case.toml", kCaseText + seas);
+  try {
+    read_case(path);
+  } catch (const DataError& error) {
+    return std::string(error.what()).substr(folder.path().string().size() + 1);
+  }
+  return "accepted";
+}
+
+TEST(CaseSeas, TakesOverEverySpectrumAndSpreading) {
+  const Case data = read_with(kSea + R"([[sea]]
+name = "tail"
+spectrum = "jonswap"
+significant_height = 3
+peak_period = 9
+gamma = 2
+spreading = "cos2s"
+s = 10
+mean_heading_deg = [-90]
+duration = 3600
+allow_truncation = true
+[[sea]]
+name = "pm"
+spectrum = "pierson-moskowitz"
+significant_height = 3
+peak_period = 9
+spreading = "cosn"
+n = 4
+mean_heading_deg = [0]
+[[sea]]
+name = "measured"
+spectrum = "table"
+omega = [0.5, 0.7, 1.0]
+density = [0, 1.5, 0]
+spreading = "wrapped-normal"
+std_deg = 15
+mean_heading_deg = [0, 0]
+[[sea]]
+name = "long"
+spectrum = "jonswap"
+significant_height = 1
+peak_period = 9
+spreading = "none"
+mean_heading_deg = [0]
+)");
+  ASSERT_EQ(data.seas.size(), 5u);
+  EXPECT_EQ(data.seas[0].name, "design");
+  EXPECT_THAT(data.seas[0].mean_heading_deg, ElementsAre(0.0, 30.0));
+  EXPECT_EQ(data.seas[0].duration, 10800.0);
+  EXPECT_FALSE(data.seas[0].allow_truncation);
+  // Hs² / 16 but for Bretschneider-Mitsuyasu, whose height is that of the highest third
+  EXPECT_NEAR(data.seas[0].m0(), 0.257 * 4.0 / 4.12, 1e-12);
+  EXPECT_NEAR(data.seas[1].m0(), 9.0 / 16.0, 1e-9);
+  EXPECT_NEAR(data.seas[2].m0(), 9.0 / 16.0, 1e-9);
+  EXPECT_NEAR(data.seas[3].m0(), 0.5 * 1.5 * 0.5, 1e-12);
+  EXPECT_EQ(data.seas[1].duration, 3600.0);
+  EXPECT_TRUE(data.seas[1].allow_truncation);
+  EXPECT_THAT(data.seas[3].mean_heading_deg, ElementsAre(0.0));
+  EXPECT_TRUE(data.seas[4].partitions[0].spreading.long_crested());
+  EXPECT_EQ(data.seas[1].description,
+            "jonswap (significant_height = 3, peak_period = 9, gamma = 2), spreading cos2s s = 10");
+}
+
+TEST(CaseSeas, PartitionsTurnAgainstTheFirst) {
+  const Case data = read_with(R"([[sea]]
+name = "both"
+[[sea.partition]]
+spectrum = "jonswap"
+significant_height = 2
+peak_period = 7
+spreading = "cos2"
+mean_heading_deg = 20
+[[sea.partition]]
+spectrum = "jonswap"
+significant_height = 1
+peak_period = 12
+spreading = "none"
+mean_heading_deg = 330
+)");
+  ASSERT_EQ(data.seas.size(), 1u);
+  EXPECT_THAT(data.seas[0].mean_heading_deg, ElementsAre(20.0));
+  ASSERT_EQ(data.seas[0].partitions.size(), 2u);
+  EXPECT_EQ(data.seas[0].partitions[1].turn_deg, 310.0);
+  EXPECT_NEAR(data.seas[0].m0(), (4.0 + 1.0) / 16.0, 1e-9);
+}
+
+TEST(CaseSeas, NameTheFaultAndItsPlace) {
+  const std::pair<std::string, const char*> table[] = {
+      {changed("height = 2.0", "height = -2.0"),
+       "case.toml:16:22: invalid sea[0].significant_height = -2 m (must be positive)"},
+      {changed("period = 6.3", "period = 0"),
+       "case.toml:17:22: invalid sea[0].significant_period = 0 s (must be 0.1 to 1000)"},
+      {changed("\"bretschneider\"", "\"jonswop\""),
+       "case.toml:15:12: invalid sea[0].spectrum = \"jonswop\" (did you mean jonswap?)"},
+      {changed("\"cos2\"", "\"fan\""),
+       "case.toml:18:13: invalid sea[0].spreading = \"fan\" (must be"},
+      {changed("spreading = \"cos2\"\n", ""), "missing sea[0].spreading (required: must be one of"},
+      {changed("mean_heading_deg = [0, 30]\n", ""), "missing sea[0].mean_heading_deg (must be"},
+      {changed("significant_period", "peak_period"),
+       "unused sea[0].peak_period (a spectrum = \"bretschneider\" takes significant_height, "
+       "significant_period)"},
+      {changed("name = \"design\"\n", ""), "missing sea[0].name (required: a name"},
+      {changed("\"design\"", "\"=cmd()\""), "invalid sea[0].name = \"=cmd()\" (must be 1 to 64"},
+      {changed("spreading", "spreding"), "unknown key sea[0].spreding (did you mean"},
+      {kSea + kSea, "case.toml:21:8: invalid sea[1].name = \"design\" (must differ"},
+      {changed("\"bretschneider\"", "\"jonswap\"\ngamma = 30").replace(0, 0, ""),
+       "unused sea[0].significant_period"},
+      {changed("cos2\"", "cos2s\"\ns = 0"), "invalid sea[0].s = 0 (must be 0.5 to 1000)"},
+      {"[[sea]]\nname = \"t\"\nspectrum = \"table\"\nomega = [1, 0.5]\ndensity = [1, 1]\n"
+       "spreading = \"none\"\nmean_heading_deg = [0]\n",
+       "case.toml:16:13: invalid sea[0].omega[1] = 0.5 rad/s (must be greater than the one "
+       "before)"},
+      {"[[sea]]\nname = \"t\"\nspectrum = \"table\"\nomega = [1, 2]\ndensity = [1, -1]\n"
+       "spreading = \"none\"\nmean_heading_deg = [0]\n",
+       "case.toml:17:15: invalid sea[0].density[1] = -1 m² s/rad (must be at least 0)"},
+      {"[[sea]]\nname = \"t\"\nspectrum = \"table\"\nomega = [1, 2]\ndensity = [1]\n"
+       "spreading = \"none\"\nmean_heading_deg = [0]\n",
+       "invalid sea[0].density = a list of 1 (must be as long as omega, 2, and 2 or more)"},
+  };
+  for (const auto& [text, message] : table) EXPECT_THAT(refusal(text), HasSubstr(message)) << text;
+}
+
+}  // namespace
+}  // namespace floe::io
