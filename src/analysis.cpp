@@ -15,7 +15,7 @@ void analyse(const Case& data, Log& log, Store& store) {
   // Find how the plate moves when it is dry
   log.progress(0.0, "dry modes");
   const PlateModel plate = clock.time("dry modes", [&] { return prepare_plate(data, meshes); });
-  store.modes(plate.modes);
+  store.modes(plate.modes, meshes.plate());
 
   // Prepare what no frequency changes
   const FluidModel fluid =

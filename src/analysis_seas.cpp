@@ -207,7 +207,7 @@ void solve_seas(const Case& data, const SeaBand& band, const PlateModel& plate,
   const SeaObservation observation = observe(data, plate, fluid, influence.constant.cols(), log);
   SeaGridReport grid{fine_frequencies(data, band, length), circle_headings(data, mesh, band.to)};
   SeaStatistics statistics(data.seas, observation, grid.omega, grid.headings);
-  store.begin_seas(observation);
+  store.begin_seas(observation, grid);
 
   // Solve as few frequencies as the tolerance needs, tell the fluid in between
   FluidMarch march(

@@ -3,6 +3,7 @@
 #include <floe/hydro/flexural_gravity.hpp>
 #include <floe/numeric/error.hpp>
 #include <floe/preflight.hpp>
+#include <floe/sea_statistics.hpp>
 
 #include <fmt/format.h>
 
@@ -46,19 +47,19 @@ double resolved_frequency(Case data, const Meshes& meshes) {
   return low;
 }
 
-void hold_against(const wave::SeaState& sea, const SeaBand& band, Log& log) {
-  const double inside = sea.variance(band.from, band.to) / sea.m0();
+}  // namespace
+
+void require_band(const wave::SeaState& sea, double from, double to, const std::string& remedy,
+                  Log& log) {
+  const double outside = 1.0 - sea.variance(from, to) / sea.m0();
   const std::string told = fmt::format(
       "sea {}: {:.2g} % of its m0 lie outside the frequencies that are computed, {:.4g} … {:.4g} "
       "rad/s",
-      sea.name, 100.0 * (1.0 - inside), band.from, band.to);
-  const std::string remedy = "widen sea_grid.omega, refine the mesh";
-  if (1.0 - inside > kShareRefused && !sea.allow_truncation)
+      sea.name, 100.0 * outside, from, to);
+  if (outside > kShareRefused && !sea.allow_truncation)
     throw DataError(told + " (at most 5 %; " + remedy + ", or set allow_truncation = true)");
-  if (1.0 - inside > kShareTold) log.warning(told + " (" + remedy + ")");
+  if (outside > kShareTold) log.warning(told + " (" + remedy + ")");
 }
-
-}  // namespace
 
 SeaBand prepare_seas(const Case& data, const Meshes& meshes, Log& log) {
   if (data.seas.empty() && !(data.sea_grid.from && data.sea_grid.to)) return {};
@@ -75,7 +76,8 @@ SeaBand prepare_seas(const Case& data, const Meshes& meshes, Log& log) {
         fmt::format("the mesh resolves waves up to {:.3g} rad/s, below the seas' own "
                     "frequencies from {:.3g} rad/s (refine the mesh)",
                     band.to, band.from));
-  for (const wave::SeaState& sea : data.seas) hold_against(sea, band, log);
+  for (const wave::SeaState& sea : data.seas)
+    require_band(sea, band.from, band.to, "widen sea_grid.omega, refine the mesh", log);
   return band;
 }
 

@@ -53,6 +53,7 @@ const char* method_name(SolverMethod method);
 /// Everything that a case file says, resolved to SI units. See docs/conventions.md.
 struct Case {
   std::string title;
+  std::string text;  ///< the case file as it was written; empty without one
   wave::Water water;
   plate::PlateProperties plate;
   MeshSource mesh;
@@ -141,9 +142,10 @@ class Store {
  public:
   virtual ~Store() = default;
   virtual void begin(const Case& data, const mesh::Q8Mesh& mesh) = 0;
-  virtual void modes(const plate::DryModes& modes) = 0;
+  /// `mesh` is that of the modes: the plate's own, or else the fluid's.
+  virtual void modes(const plate::DryModes& modes, const mesh::Q8Mesh& mesh) = 0;
   virtual void frequency(const FrequencyResult& result) = 0;
-  virtual void begin_seas(const SeaObservation&) {}
+  virtual void begin_seas(const SeaObservation&, const SeaGridReport& planned) { (void)planned; }
   virtual void sea_transfer(const SeaTransfer&) {}
   virtual void sea(const SeaResult&) {}
   virtual void end_seas(const SeaGridReport&) {}

@@ -1,11 +1,18 @@
 #pragma once
 
+#include <floe/analysis.hpp>
 #include <floe/response/pseudo_excitation.hpp>
 #include <floe/sea_results.hpp>
 
 #include <vector>
 
 namespace floe {
+
+/// Holds a sea against the frequencies that are computed [rad/s]: a warning where more than 2 % of
+/// its m0 lie outside, DataError for more than 5 % unless the sea allows it. `remedy` ends with
+/// what helps.
+void require_band(const wave::SeaState& sea, double from, double to, const std::string& remedy,
+                  Log& log);
 
 /// Statistics of any number of seas while the transfer functions pass by, one frequency at a time:
 /// nothing of them is kept but a few q × q matrices and the spectra at points.

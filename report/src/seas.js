@@ -3,14 +3,19 @@ import { Chart } from './charts.js';
 import { chooser, element, table } from './dom.js';
 import { number, withUnit } from './format.js';
 
+// Statistics leave out the quantities of pressure: those have no numbers
+const observed = (data, sea) =>
+  data.quantities.map((_, q) => q).filter((q) => sea.statistics.std[q * data.points.length] !== null);
+
 function spectra(data, sea) {
-  if (!sea.spectra) return undefined;
+  const quantities = observed(data, sea);
+  if (!sea.spectra || quantities.length === 0) return undefined;
   const state = { quantity: 0, mean: 0 };
   const count = sea.spectra.omega.length;
   const spec = () => {
-    const quantity = data.quantities[state.quantity];
+    const quantity = data.quantities[quantities[state.quantity]];
     const curves = data.points.map((_, p) => {
-      const first = ((state.mean * data.quantities.length + state.quantity) * data.points.length + p) * count;
+      const first = ((state.mean * data.quantities.length + quantities[state.quantity]) * data.points.length + p) * count;
       return sea.spectra.values.subarray(first, first + count);
     });
     return {
@@ -35,7 +40,7 @@ function spectra(data, sea) {
     element(
       'div',
       { class: 'controls' },
-      chooser('Quantity', data.quantities.map(({ label }) => label), set('quantity')),
+      chooser('Quantity', quantities.map((q) => data.quantities[q].label), set('quantity')),
       chooser('Mean heading', sea.mean_heading_deg.map((h) => `${number(h)}°`), set('mean')),
     ),
     chart.box,
@@ -45,8 +50,9 @@ function spectra(data, sea) {
 function statistics(data, sea) {
   const rows = [];
   sea.mean_heading_deg.forEach((mean, m) =>
-    data.quantities.forEach((quantity, q) =>
+    observed(data, sea).forEach((q) =>
       data.points.forEach((point, p) => {
+        const quantity = data.quantities[q];
         const i = (m * data.quantities.length + q) * data.points.length + p;
         const { std, zero_crossing_period: period, significant, most_probable_maximum: maximum } = sea.statistics;
         rows.push([
@@ -63,7 +69,7 @@ function statistics(data, sea) {
   );
   return element(
     'div',
-    { class: 'card' },
+    { class: 'card wide' },
     element('h3', {}, `Statistics, sea “${sea.name}”`),
     element('p', { class: 'note' }, sea.text ?? ''),
     table(

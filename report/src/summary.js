@@ -68,7 +68,7 @@ function seaRows(data) {
       means.forEach((mean, m) =>
         data.points.forEach((point, p) => {
           const std = statistics.std[(m * data.quantities.length + q) * data.points.length + p];
-          if (std > best.std) best = { std, mean, point: point.name };
+          if (std !== null && std > best.std) best = { std, mean, point: point.name };
         }),
       );
       if (best.std >= 0)
@@ -76,7 +76,7 @@ function seaRows(data) {
           `${quantity.label}, standard deviation in sea “${sea.name}”`,
           withUnit(best.std, quantity.unit),
           best.point,
-          `from mean heading ${number(best.mean)}°`,
+          `mean heading ${number(best.mean)}°`,
         ]);
     });
   }

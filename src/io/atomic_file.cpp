@@ -54,9 +54,10 @@ void AtomicFile::rollback() {
     fail(errno);
 }
 
-void AtomicFile::commit() {
+void AtomicFile::commit(Sync sync) {
   flush();
-  if (::fsync(descriptor_) != 0 && errno != EINVAL && errno != ENOTSUP) fail(errno);
+  if (sync == Sync::kYes && ::fsync(descriptor_) != 0 && errno != EINVAL && errno != ENOTSUP)
+    fail(errno);
   if (::close(std::exchange(descriptor_, -1)) != 0 ||
       ::rename(temporary_.c_str(), path_.c_str()) != 0) {
     const int error = errno;

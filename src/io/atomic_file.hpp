@@ -7,6 +7,9 @@
 
 namespace floe::io {
 
+/// Whether a file is to survive a power cut that follows at once.
+enum class Sync { kYes, kNo };
+
 /// A file that appears under its name only when it is complete: it grows as `NAME.tmp.PID` beside
 /// it and is renamed over it. A symbolic link of that name is replaced, its target left alone.
 /// Every failure throws FileError with the file's name and the system's text.
@@ -23,8 +26,9 @@ class AtomicFile final {
   void mark();
   /// Drops what was written since the last mark.
   void rollback();
-  /// Writes out, syncs and renames.
-  void commit();
+  /// Writes out, syncs unless told not to, and renames. Without a sync a power cut may leave less
+  /// than the whole under the name; a killed process does not.
+  void commit(Sync sync = Sync::kYes);
 
  private:
   void flush();

@@ -29,6 +29,14 @@ toml::table parse(const std::string& content, const CaseSource& source) {
   }
 }
 
+std::string read_text(const CaseSource& source, const std::filesystem::path& path,
+                      const std::string& what) {
+  std::string content = read_regular_file(path, kLargestFile);
+  FLOE_VALIDATE(content.find_first_not_of(" \t\r\n") != std::string::npos,
+                source.name << ": the file is empty (must hold " << what << ")");
+  return content;
+}
+
 void require_sections(const Section& root) {
   for (const char* name : {"water", "plate", "mesh", "waves"})
     root.require(name, fmt::format("a section [{}] is required", name));
@@ -50,12 +58,24 @@ std::string read_title(const Section& root) {
 
 }  // namespace
 
+std::vector<wave::SeaState> read_sea_file(const std::filesystem::path& path) {
+  CaseSource source{.name = path.string(), .notices = {}, .warnings = {}};
+  try {
+    const toml::table table = parse(read_text(source, path, "sea states"), source);
+    const Section root(table, "", source, {"sea"});
+    root.require("sea", "required: sea states [[sea]]");
+    return read_sea_states(root);
+  } catch (const DataError&) {
+    throw;
+  } catch (const InputError& error) {
+    throw DataError(error.what());
+  }
+}
+
 CaseFile read_case(const std::filesystem::path& path) {
   // Read and parse the file
   CaseSource source{.name = path.string(), .notices = {}, .warnings = {}};
-  const std::string content = read_regular_file(path, kLargestFile);
-  FLOE_VALIDATE(content.find_first_not_of(" \t\r\n") != std::string::npos,
-                source.name << ": the file is empty (must hold a case)");
+  const std::string content = read_text(source, path, "a case");
   const toml::table table = parse(content, source);
   const Section root(
       table, "", source,
@@ -64,6 +84,7 @@ CaseFile read_case(const std::filesystem::path& path) {
 
   // Check each section and take it over
   CaseFile file;
+  file.data.text = content;
   file.data.title = read_title(root);
   read_water(root, file.data);
   read_plate(root, file.data);

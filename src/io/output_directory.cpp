@@ -13,6 +13,8 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <map>
+#include <set>
 #include <utility>
 
 namespace floe::io {
@@ -46,10 +48,12 @@ bool is_inside(const std::filesystem::path& file) {
          std::none_of(file.begin(), file.end(), [](const auto& part) { return part == ".."; });
 }
 
-bool is_leftover_of(const std::string& name, const std::string& product) {
-  const std::string stem = product + ".tmp.";
-  return name.size() > stem.size() && name.starts_with(stem) &&
-         name.find_first_not_of("0123456789", stem.size()) == std::string::npos;
+// NAME.tmp.PID of one of the products
+bool is_leftover_of(const std::string& name, const std::set<std::string>& products) {
+  const std::size_t at = name.rfind(".tmp.");
+  return at != std::string::npos && at + 5 < name.size() &&
+         name.find_first_not_of("0123456789", at + 5) == std::string::npos &&
+         products.contains(name.substr(0, at));
 }
 
 }  // namespace
@@ -139,27 +143,33 @@ void OutputDirectory::look_at_content(Existing existing) {
                           "it, or give another directory with -o)");
 }
 
-void OutputDirectory::clear_earlier_run() { remove(std::exchange(earlier_files_, {})); }
+void OutputDirectory::clear_earlier_run() {
+  if (!earlier_files_.empty()) earlier_files_.emplace_back("report.html");  // made after the run
+  remove(std::exchange(earlier_files_, {}));
+}
 
 void OutputDirectory::remove(const std::vector<std::string>& files) const {
   std::error_code ignored;
+  std::map<std::filesystem::path, std::set<std::string>> products;  // by folder
   for (const std::string& file : files) {
     if (!is_inside(file)) continue;
     const std::filesystem::path target = path_ / file;
     if (!std::filesystem::is_directory(std::filesystem::symlink_status(target, ignored)))
       std::filesystem::remove(target, ignored);
-    // What a killed run left under construction
-    const std::string product = target.filename().string();
-    for (std::filesystem::directory_iterator at(target.parent_path(), ignored), end;
-         !ignored && at != end; at.increment(ignored)) {
+    products[target.parent_path()].insert(target.filename().string());
+  }
+  // What a killed run left under construction
+  for (const auto& [folder, names] : products) {
+    ignored.clear();
+    for (std::filesystem::directory_iterator at(folder, ignored), end; !ignored && at != end;
+         at.increment(ignored)) {
       std::error_code gone;
-      if (is_leftover_of(at->path().filename().string(), product))
+      if (is_leftover_of(at->path().filename().string(), names))
         std::filesystem::remove(at->path(), gone);
     }
-    ignored.clear();
   }
-  // Removed only when nothing else is in it
-  ::rmdir((path_ / "fields").c_str());
+  // Removed only when nothing else is in them
+  for (const char* folder : {"fields", "records"}) ::rmdir((path_ / folder).c_str());
 }
 
 }  // namespace floe::io

@@ -1,5 +1,6 @@
 #include "io/run_json.hpp"
 
+#include "io/case_json.hpp"
 #include "io/regular_file.hpp"
 
 #include <floe/numeric/error.hpp>
@@ -16,87 +17,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::uintmax_t kLargestAccount = std::uintmax_t{256} << 20;
-
-Json json_of(const Point2& point) { return Json::array({point.x(), point.y()}); }
-
-Json json_of(const MeshSource& source) {
-  if (const auto* file = std::get_if<std::filesystem::path>(&source))
-    return {{"file", file->string()}};
-  const auto& r = std::get<mesh::RectangleOptions>(source);
-  return {{"rectangle",
-           {{"length", r.length},
-            {"width", r.width},
-            {"nx", r.nx},
-            {"ny", r.ny},
-            {"grading", r.grading}}}};
-}
-
-Json json_of(const std::vector<NamedPoint>& points) {
-  Json named = Json::object();
-  for (const NamedPoint& point : points) named[point.name] = json_of(point.position);
-  return named;
-}
-
-Json output_json(const Case& data) {
-  Json lines = Json::object(), quantities = Json::array(), fields = Json::array();
-  for (const NamedLine& line : data.lines)
-    lines[line.name] = {
-        {"from", json_of(line.from)}, {"to", json_of(line.to)}, {"count", line.count}};
-  for (const response::Quantity quantity : data.quantities)
-    quantities.push_back(response::name(quantity));
-  for (const FieldRequest& field : data.fields)
-    fields.push_back({{"omega", field.omega}, {"heading_deg", field.heading_deg}});
-  return {{"points", json_of(data.points)},
-          {"lines", lines},
-          {"wave_points", json_of(data.wave_points)},
-          {"quantities", quantities},
-          {"fields", fields}};
-}
-
-Json sea_grid_json(const Case& data) {
-  Json grid = {{"tolerance", data.sea_grid.tolerance}};
-  if (data.sea_grid.from) grid["from"] = *data.sea_grid.from;
-  if (data.sea_grid.to) grid["to"] = *data.sea_grid.to;
-  return grid;
-}
-
-Json seas_json(const Case& data) {
-  Json seas = Json::array();
-  for (const wave::SeaState& sea : data.seas)
-    seas.push_back({{"name", sea.name},
-                    {"description", sea.description},
-                    {"significant_height", 4.0 * std::sqrt(sea.m0())},
-                    {"mean_heading_deg", sea.mean_heading_deg},
-                    {"duration", sea.duration},
-                    {"allow_truncation", sea.allow_truncation}});
-  return seas;
-}
-
-Json options_json(const Case& data) {
-  const auto& p = data.plate;
-  Json plate = {{"thickness", p.thickness},
-                {"youngs_modulus", p.youngs_modulus},
-                {"poisson_ratio", p.poisson_ratio},
-                {"density", p.density},
-                {"shear_correction", p.shear_correction},
-                {"loss_factor", p.loss_factor}};
-  if (!data.plate_mesh.empty()) plate["mesh"] = json_of(data.plate_mesh.front());
-  const Json depth = std::isinf(data.water.depth) ? Json("inf") : Json(data.water.depth);
-  return {
-      {"title", data.title},
-      {"water",
-       {{"depth", depth}, {"density", data.water.density}, {"gravity", data.water.gravity}}},
-      {"plate", plate},
-      {"mesh", json_of(data.mesh)},
-      {"modes", {{"count", data.mode_count}}},
-      {"waves", {{"omega", data.omega}, {"heading_deg", data.heading_deg}}},
-      {"solver",
-       {{"method", method_name(data.method)}, {"route", "modal"}, {"tolerance", data.tolerance}}},
-      {"sea_grid", sea_grid_json(data)},
-      {"sea", seas_json(data)},
-      {"output", output_json(data)},
-      {"allow_coarse", data.allow_coarse}};
-}
 
 // What the seas' frequencies are worth, and what of each sea was left out
 Json sea_results_json(const RunAccount& account) {
@@ -140,6 +60,11 @@ Json frequency_json(const FrequencyReport& report, double wavenumber) {
 
 }  // namespace
 
+RunAccount::Sea summary_of(const SeaResult& result) {
+  return {result.sea, result.mean_heading_deg, result.significant_height, result.share_outside,
+          result.grid_error};
+}
+
 std::string run_json(const Case& data, const RunAccount& account) {
   Json frequencies = Json::array(), stages = Json::array();
   for (std::size_t i = 0; i < account.frequencies.size(); ++i)
@@ -154,7 +79,7 @@ std::string run_json(const Case& data, const RunAccount& account) {
       {"conventions",
        "SI units, e^{-iωt}, z up, per metre of wave amplitude, phases relative to "
        "the origin, heading: direction the waves travel to, from +x towards +y"},
-      {"options", options_json(data)},
+      {"options", case_json(data)},
       {"plan", plan_json(account)},
       {"mesh",
        {{"nodes", account.nodes},

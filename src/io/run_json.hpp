@@ -34,6 +34,9 @@ struct RunAccount {
   std::vector<std::string> files;  ///< all files of the run, relative
 };
 
+/// What the account tells of one sea and mean heading.
+RunAccount::Sea summary_of(const SeaResult& result);
+
 /// The text of `run.json`. Numbers that are not finite become null, an infinite depth "inf".
 std::string run_json(const Case& data, const RunAccount& account);
 

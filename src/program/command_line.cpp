@@ -28,9 +28,11 @@ Examples:
   floe check cases/table1.toml            what a run would need; solves nothing
   floe run cases/table1.toml              results go to table1.out/
   floe run plate.toml -o out --threads 8  another folder, eight threads
+  floe report table1.out                  one page to look at: table1.out/report.html
+  floe stats table1_seas.out --sea storm.toml   other seas, without solving again
   floe mesh rectangle --length 300 --width 60 --nx 50 --ny 10 -o plate.msh
 
-Exit codes: 0 done, 2 command line, 3 case file, 4 mesh, 6 memory, 7 files, 8 not converged,
+Exit codes: 0 done, 2 command line, 3 case file, 4 mesh, 5 sea states, 6 memory, 7 files, 8 not converged,
   9 results there already, 10 folder in use, 130/143 stopped by a signal, 1 a fault of floe.)";
 
 // "16G" in bytes; K, M, G, T are powers of 1024
@@ -58,6 +60,8 @@ double parse_bytes(const std::string& text) {
 struct Choice {
   RunOptions run;
   RectangleMeshOptions rectangle;
+  StatsOptions stats;
+  ReportOptions report;
   std::string memory;
   std::function<void()> action;  // what the chosen command does
 };
@@ -119,6 +123,33 @@ void add_check(CLI::App& app, Choice& choice) {
   command.callback([&choice] { choice.action = [&choice] { check_case(choice.run); }; });
 }
 
+void add_stats(CLI::App& app, Choice& choice) {
+  CLI::App& command = *app.add_subcommand(
+      "stats", "statistics of new sea states from a run's transfer functions; solve nothing");
+  command.add_option("directory", choice.stats.directory, "results of a run with seas")
+      ->required()
+      ->type_name("DIR");
+  command.add_option("--sea", choice.stats.sea_file, "file with [[sea]] sections")
+      ->required()
+      ->type_name("SEA.toml");
+  command
+      .add_option("-o", choice.stats.output, "result folder (default: the sea file's name + .out)")
+      ->type_name("DIR");
+  command.add_flag("--fresh", choice.stats.fresh, "replace the results of an earlier run");
+  command.callback([&choice] { choice.action = [&choice] { tell_statistics(choice.stats); }; });
+}
+
+void add_report(CLI::App& app, Choice& choice) {
+  CLI::App& command =
+      *app.add_subcommand("report", "write one HTML page that shows the results of a run");
+  command.add_option("directory", choice.report.directory, "results of a run")
+      ->required()
+      ->type_name("DIR");
+  command.add_option("-o", choice.report.output, "file to write (default: report.html in DIR)")
+      ->type_name("FILE.html");
+  command.callback([&choice] { choice.action = [&choice] { make_report(choice.report); }; });
+}
+
 void add_mesh(CLI::App& app, Choice& choice) {
   CLI::App& command = *app.add_subcommand("mesh", "make a mesh");
   command.require_subcommand(1);
@@ -139,15 +170,15 @@ void add_mesh(CLI::App& app, Choice& choice) {
 
 // A first word that is no command gets the nearest one named
 void refuse_unknown_command(const std::string& command) {
-  const std::vector<std::string> known = {"run", "check", "mesh"};
+  const std::vector<std::string> known = {"run", "check", "stats", "report", "mesh"};
   if (command.empty() || command[0] == '-' ||
       std::find(known.begin(), known.end(), command) != known.end())
     return;
   const std::string nearest = io::nearest_name(command, known);
-  throw UsageError(fmt::format("unknown command {} ({})", command,
-                               nearest.empty()
-                                   ? "known are run, check, mesh; floe --help tells more"
-                                   : "did you mean " + nearest + "?"));
+  throw UsageError(fmt::format(
+      "unknown command {} ({})", command,
+      nearest.empty() ? "known are run, check, stats, report, mesh; floe --help tells more"
+                      : "did you mean " + nearest + "?"));
 }
 
 // Commands and flags of the documented interface that this version does not serve yet
@@ -157,7 +188,7 @@ void refuse_later_words(int argc, char** argv) {
         fmt::format("{} is not available yet in this version ({})", word, FLOE_VERSION));
   };
   const std::string command = argc > 1 ? argv[1] : "";
-  for (const char* later : {"stats", "report", "status", "export", "merge", "converge", "init"})
+  for (const char* later : {"status", "export", "merge", "converge", "init"})
     if (command == later) refuse("floe " + command);
   refuse_unknown_command(command);
   const std::string shape = command == "mesh" && argc > 2 ? argv[2] : "";
@@ -179,6 +210,8 @@ int parse_and_run(int argc, char** argv) {
   app.require_subcommand(1);
   add_run(app, choice);
   add_check(app, choice);
+  add_stats(app, choice);
+  add_report(app, choice);
   add_mesh(app, choice);
   app.footer(kExamples);
   try {

@@ -24,6 +24,24 @@ void run_case(const RunOptions& options);
 /// Tells what a run would do and need, and refuses what a run would refuse; solves nothing.
 void check_case(const RunOptions& options);
 
+struct StatsOptions {
+  std::filesystem::path directory;  ///< of a run
+  std::filesystem::path sea_file;
+  std::filesystem::path output;  ///< empty: the sea file's name + ".out" in the working directory
+  bool fresh = false;
+};
+
+/// Statistics of new seas from the transfer functions of a run; solves nothing.
+void tell_statistics(const StatsOptions& options);
+
+struct ReportOptions {
+  std::filesystem::path directory;  ///< of a run
+  std::filesystem::path output;     ///< empty: report.html in it
+};
+
+/// Writes the report of a run, one HTML page.
+void make_report(const ReportOptions& options);
+
 struct RectangleMeshOptions {
   mesh::RectangleOptions rectangle;
   std::filesystem::path output;

@@ -49,8 +49,8 @@ class ToldStore final : public Store {
     stop_if_asked();
   }
 
-  void modes(const plate::DryModes& modes) override {
-    store_.modes(modes);
+  void modes(const plate::DryModes& modes, const mesh::Q8Mesh& mesh) override {
+    store_.modes(modes, mesh);
     const std::string elastic =
         modes.count() > modes.rigid_count
             ? fmt::format(", first elastic {:.4g} rad/s, last {:.4g}, good to {:.1g} or better",
@@ -70,7 +70,9 @@ class ToldStore final : public Store {
     stop_if_asked();
   }
 
-  void begin_seas(const SeaObservation& observation) override { store_.begin_seas(observation); }
+  void begin_seas(const SeaObservation& observation, const SeaGridReport& planned) override {
+    store_.begin_seas(observation, planned);
+  }
 
   void sea_transfer(const SeaTransfer& transfer) override {
     store_.sea_transfer(transfer);

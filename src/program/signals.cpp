@@ -5,6 +5,7 @@
 
 #include <cerrno>
 #include <csignal>
+#include <ctime>
 #include <initializer_list>
 
 namespace floe::program {
@@ -12,10 +13,20 @@ namespace {
 
 // NOTE: a signal handler can reach nothing but a variable of static storage
 volatile std::sig_atomic_t asked_to_stop = 0;
+timespec asked_at{};
 
+// A signal to the process and then to its group, as `timeout` sends, is one wish
 extern "C" void ask_to_stop(int signal) {
-  if (asked_to_stop != 0) ::_exit(128 + signal);
-  asked_to_stop = signal;
+  timespec now{};
+  ::clock_gettime(CLOCK_MONOTONIC, &now);
+  if (asked_to_stop == 0) {
+    asked_at = now;
+    asked_to_stop = signal;
+    return;
+  }
+  const double since = static_cast<double>(now.tv_sec - asked_at.tv_sec) +
+                       1e-9 * static_cast<double>(now.tv_nsec - asked_at.tv_nsec);
+  if (since > 0.2) ::_exit(128 + signal);
 }
 
 void open_closed_streams() {

@@ -47,7 +47,7 @@ void store_all(const std::filesystem::path& directory, Existing existing = Exist
   const mesh::Q8Mesh mesh = small_mesh();
   DirectoryStore store(directory, existing);
   store.begin(small_case(), mesh);
-  store.modes(small_modes());
+  store.modes(small_modes(), mesh);
   for (const double omega : small_case().omega) store.frequency(small_result(omega));
   store.finish({{"radiation", 1.5, 1e6}});
 }
@@ -165,7 +165,7 @@ TEST(DirectoryStore, KeepsHostileTitlesOnOneCommentLine) {
   data.title = "<script>\n0.4,\"=cmd()\"";
   DirectoryStore store(folder.path() / "out");
   store.begin(data, mesh);
-  store.modes(small_modes());
+  store.modes(small_modes(), mesh);
   for (const double omega : data.omega) store.frequency(small_result(omega));
   store.finish({});
   EXPECT_EQ(rows_of(folder.read("out/rao_points.csv"))[0][0], "omega");
@@ -193,7 +193,7 @@ TEST(DirectoryStore, LeavesNothingOfARunWithoutResults) {
     const mesh::Q8Mesh mesh = small_mesh();
     DirectoryStore store(folder.path() / "b");
     store.begin(small_case(), mesh);
-    store.modes(small_modes());
+    store.modes(small_modes(), mesh);
     store.stop("failed");
   }
   EXPECT_TRUE(names_in(folder.path()).empty());
@@ -204,7 +204,7 @@ TEST(DirectoryStore, NeverWritesANumberThatIsNotFinite) {
   const mesh::Q8Mesh mesh = small_mesh();
   DirectoryStore store(folder.path() / "out");
   store.begin(small_case(), mesh);
-  store.modes(small_modes());
+  store.modes(small_modes(), mesh);
   store.frequency(small_result(0.4));
   FrequencyResult bad = small_result(0.5);
   bad.wave_elevation(0, 1) = std::numeric_limits<double>::quiet_NaN();
@@ -306,7 +306,7 @@ TEST(DirectoryStore, ReplacesASymbolicLinkAndNotItsTarget) {
   const mesh::Q8Mesh mesh = small_mesh();
   DirectoryStore store(folder.path() / "out");
   store.begin(small_case(), mesh);
-  store.modes(small_modes());
+  store.modes(small_modes(), mesh);
   for (const double omega : small_case().omega) store.frequency(small_result(omega));
   std::filesystem::create_symlink(folder.path() / "target", folder.path() / "out/rao_points.csv");
   store.finish({});
@@ -338,7 +338,7 @@ TEST(DirectoryStore, KeepsFinishedFrequenciesWhenADiskFills) {
   const mesh::Q8Mesh mesh = small_mesh();
   DirectoryStore store(folder.path() / "out");
   store.begin(small_case(), mesh);
-  store.modes(small_modes());
+  store.modes(small_modes(), mesh);
   store.frequency(small_result(0.4));
   const auto length = std::filesystem::file_size(folder.path() / "out/run.json");
   {

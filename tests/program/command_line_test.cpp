@@ -43,7 +43,9 @@ TEST(Program, RefusesWrongCommandLinesWithTwo) {
   const TestFolder folder;
   folder.write("case.toml", kCaseText);
   const std::pair<const char*, const char*> table[] = {
-      {"", "missing word after floe (must be one of run, check, mesh; floe --help tells more)"},
+      {"",
+       "missing word after floe (must be one of run, check, stats, report, mesh; floe --help tells "
+       "more)"},
       {"rnu case.toml", "unknown command rnu (did you mean run?)"},
       {"run", "case is required"},
       {"run case.toml --bogus", "unknown flag --bogus (known are "},
@@ -86,10 +88,9 @@ TEST(Program, RefusesWrongCommandLinesWithTwo) {
 
 TEST(Program, RefusesWhatComesLaterByName) {
   const TestFolder folder;
-  for (const char* arguments :
-       {"stats", "report", "status", "export", "merge", "converge", "init", "mesh disc",
-        "mesh ring", "mesh lshape", "mesh modules", "run a.toml --resume",
-        "run a.toml --max-time 3", "run a.toml --shard=1/2"}) {
+  for (const char* arguments : {"status", "export", "merge", "converge", "init", "mesh disc",
+                                "mesh ring", "mesh lshape", "mesh modules", "run a.toml --resume",
+                                "run a.toml --max-time 3", "run a.toml --shard=1/2"}) {
     const ProgramResult result = run_floe(folder, arguments);
     EXPECT_EQ(result.code, 2) << arguments;
     EXPECT_THAT(result.error, HasSubstr("is not available yet in this version")) << arguments;

@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <sstream>
+#include <tuple>
 
 namespace floe {
 namespace {
@@ -60,7 +61,7 @@ TEST(Run, StoresTheWholeResultOfATinyCase) {
   EXPECT_THAT(names_in(folder.path() / "tiny.out"),
               ElementsAre("dry_modes.csv", "exciting_force.csv", "fields", "fields.pvd",
                           "hydro_coefficients.csv", "rao_lines.csv", "rao_points.csv",
-                          "rao_quantities.csv", "run.json", "wave_points.csv"));
+                          "rao_quantities.csv", "records", "run.json", "wave_points.csv"));
   EXPECT_EQ(rows_in(folder.read("tiny.out/dry_modes.csv")), 6);
   EXPECT_EQ(rows_in(folder.read("tiny.out/rao_points.csv")), 2 * 2 * 2);
   EXPECT_EQ(rows_in(folder.read("tiny.out/rao_lines.csv")), 2 * 2 * 5);
@@ -112,6 +113,84 @@ TEST(Run, TellsWhatASeaDoes) {
   folder.write("tiny.toml", kCaseText + kOutput);
   ASSERT_EQ(run_floe(folder, "run tiny.toml --fresh").code, 0);
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "tiny.out/statistics.vtu"));
+}
+
+const std::string kSeaFile = kSeaSection.substr(kSeaSection.find("[[sea]]"));
+
+TEST(Stats, TellTheSameOfTheSameSeaWithoutSolving) {
+  const TestFolder folder;
+  folder.write("tiny.toml", kCaseText + kOutput + kSeaSection);
+  ASSERT_EQ(run_floe(folder, "run tiny.toml --allow-coarse").code, 0);
+  folder.write("storm.toml", kSeaFile);
+  const ProgramResult result = run_floe(folder, "stats tiny.out --sea storm.toml");
+  ASSERT_EQ(result.code, 0) << result.error;
+  EXPECT_THAT(result.output, HasSubstr("storm.out/ (6 files)"));
+  const auto data_rows = [&](const std::string& file) {
+    const std::string text = folder.read(file);
+    return text.substr(text.find("\nsea,"));
+  };
+  for (const std::string name :
+       {"spectra_points.csv", "statistics_points.csv", "design_values.csv", "statistics_lines.csv"})
+    EXPECT_EQ(data_rows("storm.out/" + name), data_rows("tiny.out/" + name)) << name;
+  EXPECT_EQ(folder.read("storm.out/statistics.vtu"), folder.read("tiny.out/statistics.vtu"));
+  // Once more only on demand
+  EXPECT_EQ(run_floe(folder, "stats tiny.out --sea storm.toml").code, 9);
+  EXPECT_EQ(run_floe(folder, "stats tiny.out --sea storm.toml --fresh").code, 0);
+}
+
+TEST(Stats, NameWhatIsMissing) {
+  const TestFolder folder;
+  folder.write("tiny.toml", kCaseText + kOutput);
+  ASSERT_EQ(run_floe(folder, "run tiny.toml").code, 0);
+  folder.write("storm.toml", kSeaFile);
+  folder.write("bad.toml", "[[sea]]\nname = \"a\"\n");
+  folder.write("none.toml", "x = 1\n");
+  const std::tuple<const char*, int, const char*> table[] = {
+      {"stats tiny.out --sea storm.toml", 9, "holds no transfer functions for seas (run the case"},
+      {"stats none --sea storm.toml", 9, "no result of floe in none: run.json cannot be read"},
+      {"stats tiny.out --sea bad.toml", 5, "bad.toml:1:1: missing sea[0].spectrum"},
+      {"stats tiny.out --sea none.toml", 5, "none.toml:1:1: unknown key x (known are sea)"},
+      {"stats tiny.out --sea absent.toml", 5, "absent.toml: cannot read: No such file"},
+      {"stats tiny.out", 2, "--sea is required"},
+  };
+  for (const auto& [arguments, code, message] : table) {
+    const ProgramResult result = run_floe(folder, arguments);
+    EXPECT_EQ(result.code, code) << arguments;
+    EXPECT_THAT(result.error, HasSubstr(message));
+  }
+}
+
+TEST(Stats, NoticeADamagedRecord) {
+  const TestFolder folder;
+  folder.write("tiny.toml", kCaseText + kOutput + kSeaSection);
+  ASSERT_EQ(run_floe(folder, "run tiny.toml --allow-coarse").code, 0);
+  folder.write("storm.toml", kSeaFile);
+  std::string record = folder.read("tiny.out/records/transfer_00002.rec");
+  record[record.size() / 2] ^= 1;
+  folder.write("tiny.out/records/transfer_00002.rec", record);
+  const ProgramResult result = run_floe(folder, "stats tiny.out --sea storm.toml");
+  EXPECT_EQ(result.code, 9);
+  EXPECT_THAT(result.error, HasSubstr("transfer_00002.rec is damaged"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "storm.out"));
+}
+
+TEST(ReportCommand, WritesOnePageOfARun) {
+  const TestFolder folder;
+  folder.write("tiny.toml", kCaseText + kOutput + kSeaSection);
+  ASSERT_EQ(run_floe(folder, "run tiny.toml --allow-coarse").code, 0);
+  const ProgramResult result = run_floe(folder, "report tiny.out");
+  if (result.code == 2) GTEST_SKIP() << result.error;  // built without the page
+  ASSERT_EQ(result.code, 0) << result.error;
+  const std::string page = folder.read("tiny.out/report.html");
+  for (const char* what : {"\"design\"", "bending_moment_x", "significant_period = 10.0", "[water]",
+                           "of its m0 lie outside"})
+    EXPECT_THAT(page, HasSubstr(what));
+  EXPECT_EQ(run_floe(folder, "report tiny.out -o other.html").code, 0);
+  EXPECT_EQ(folder.read("other.html"), page);
+  EXPECT_EQ(run_floe(folder, "report .").code, 9);
+  // The page goes with the run that it shows
+  ASSERT_EQ(run_floe(folder, "run tiny.toml --allow-coarse --fresh").code, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "tiny.out/report.html"));
 }
 
 TEST(Run, RefusesASeaWhoseEnergyLiesElsewhere) {

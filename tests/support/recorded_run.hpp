@@ -24,9 +24,11 @@ class RecordingStore final : public Store {
  public:
   explicit RecordingStore(RecordedRun& run) : run_(run) {}
   void begin(const Case& data, const mesh::Q8Mesh&) override { run_.data = data; }
-  void modes(const plate::DryModes& modes) override { run_.modes = modes; }
+  void modes(const plate::DryModes& modes, const mesh::Q8Mesh&) override { run_.modes = modes; }
   void frequency(const FrequencyResult& result) override { run_.frequencies.push_back(result); }
-  void begin_seas(const SeaObservation& given) override { run_.observation = given; }
+  void begin_seas(const SeaObservation& given, const SeaGridReport&) override {
+    run_.observation = given;
+  }
   void sea_transfer(const SeaTransfer& given) override { run_.transfers.push_back(given); }
   void end_seas(const SeaGridReport& given) override { run_.sea_grid = given; }
   void sea(const SeaResult& result) override { run_.seas.push_back(result); }

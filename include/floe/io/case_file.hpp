@@ -23,6 +23,10 @@ struct CaseFile {
 /// that it names is not there; BudgetError when it asks for more than 100 000 frequencies.
 CaseFile read_case(const std::filesystem::path& path);
 
+/// Reads the `[[sea]]` sections of a file that holds nothing else.
+/// Throws DataError with the place, also when there is none.
+std::vector<wave::SeaState> read_sea_file(const std::filesystem::path& path);
+
 /// The name among `known` that is closest to `name`, or "" if none is close: at most a third of its
 /// letters wrong (a swap of neighbours counts as one).
 std::string nearest_name(const std::string& name, const std::vector<std::string>& known);

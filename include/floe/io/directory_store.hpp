@@ -15,7 +15,8 @@ enum class Existing {
   kReplace  ///< delete the files that floe made, and no others, when the new run begins
 };
 
-/// Results as files in one directory: CSV tables, node fields for ParaView, `run.json`. Tables grow
+/// Results as files in one directory: CSV tables, node fields for ParaView, `run.json`, and under
+/// `records/` what a later command needs of them (StoredRun reads it back). Tables grow
 /// in temporary files beside their names and appear complete. `run.json` is there from the
 /// beginning, lists all files of the run and says its status: "running", "complete", or why it
 /// stopped.
@@ -33,8 +34,10 @@ class DirectoryStore final : public Store {
 
   /// Keeps a view of `mesh` until `finish` or `stop`.
   void begin(const Case& data, const mesh::Q8Mesh& mesh) override;
-  void modes(const plate::DryModes& modes) override;
+  void modes(const plate::DryModes& modes, const mesh::Q8Mesh& mesh) override;
   void frequency(const FrequencyResult& result) override;
+  void begin_seas(const SeaObservation& observation, const SeaGridReport& planned) override;
+  void sea_transfer(const SeaTransfer& transfer) override;
   void sea(const SeaResult& result) override;
   void end_seas(const SeaGridReport& grid) override;
   void finish(const std::vector<StageTime>& times) override;

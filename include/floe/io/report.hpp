@@ -1,6 +1,7 @@
 #pragma once
 
 #include <floe/analysis.hpp>
+#include <floe/io/stored_run.hpp>
 
 #include <filesystem>
 #include <string>
@@ -40,6 +41,12 @@ struct ReportContent {
 /// modes by 16-bit numbers (error 2e-5 of the largest value of a mode). The same content gives the
 /// same bytes.
 std::string report_page(const ReportContent& content);
+
+/// The same of a stored run, with its seas. Throws StoreError when records are damaged.
+std::string report_page(const StoredRun& run);
+
+/// Writes the page of a stored run; it appears under its name when it is complete.
+void write_report(const StoredRun& run, const std::filesystem::path& path);
 
 /// Whether this build contains the page's scripts (FLOE_REPORT); without them report_page throws
 /// UsageError.

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <floe/analysis.hpp>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace floe::io {
+
+/// A result directory of `floe run`, read back. Seas of the case are told by their results only.
+class StoredRun {
+ public:
+  /// Reads what is small; throws StoreError when the directory holds no result of floe, or one of
+  /// another version, or a record is damaged.
+  explicit StoredRun(std::filesystem::path directory);
+
+  const std::filesystem::path& directory() const { return directory_; }
+  const Case& data() const { return data_; }              ///< Case::seas is empty
+  const std::string& case_text() const { return text_; }  ///< as the user wrote it
+  const std::string& status() const { return status_; }
+  const std::vector<std::string>& warnings() const { return warnings_; }
+  const std::vector<StageTime>& stages() const { return stages_; }
+  /// One sentence a sea of the case, in its order.
+  const std::vector<std::string>& sea_names() const { return sea_names_; }
+  const std::vector<std::string>& sea_descriptions() const { return sea_descriptions_; }
+
+  mesh::Q8Mesh fluid_mesh() const;
+  mesh::Q8Mesh mode_mesh() const;  ///< the plate's own, or else the fluid's
+  plate::DryModes modes() const;
+  std::vector<FrequencyResult> frequencies() const;  ///< those that were finished, without fields
+  std::vector<SeaResult> seas() const;
+
+  /// Whether transfer functions for seas are there.
+  bool has_transfers() const;
+  SeaObservation observation() const;
+  SeaGridReport sea_grid() const;
+  SeaTransfer transfer(std::size_t place) const;  ///< at the frequency of that place in the grid
+
+ private:
+  std::filesystem::path record(const std::string& name) const;
+
+  std::filesystem::path directory_;
+  Case data_;
+  std::string text_, status_;
+  std::vector<std::string> warnings_, sea_names_, sea_descriptions_;
+  std::vector<StageTime> stages_;
+};
+
+}  // namespace floe::io

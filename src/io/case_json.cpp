@@ -1,0 +1,171 @@
+#include "io/case_json.hpp"
+
+#include <floe/estimate.hpp>
+#include <floe/numeric/error.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace floe::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const Point2& point) { return Json::array({point.x(), point.y()}); }
+
+Json json_of(const MeshSource& source) {
+  if (const auto* file = std::get_if<std::filesystem::path>(&source))
+    return {{"file", file->string()}};
+  const auto& r = std::get<mesh::RectangleOptions>(source);
+  return {{"rectangle",
+           {{"length", r.length},
+            {"width", r.width},
+            {"nx", r.nx},
+            {"ny", r.ny},
+            {"grading", r.grading}}}};
+}
+
+Json json_of(const std::vector<NamedPoint>& points) {
+  Json named = Json::object();
+  for (const NamedPoint& point : points) named[point.name] = json_of(point.position);
+  return named;
+}
+
+Json output_json(const Case& data) {
+  Json lines = Json::object(), quantities = Json::array(), fields = Json::array();
+  for (const NamedLine& line : data.lines)
+    lines[line.name] = {
+        {"from", json_of(line.from)}, {"to", json_of(line.to)}, {"count", line.count}};
+  for (const response::Quantity quantity : data.quantities)
+    quantities.push_back(response::name(quantity));
+  for (const FieldRequest& field : data.fields)
+    fields.push_back({{"omega", field.omega}, {"heading_deg", field.heading_deg}});
+  return {{"points", json_of(data.points)},
+          {"lines", lines},
+          {"wave_points", json_of(data.wave_points)},
+          {"quantities", quantities},
+          {"fields", fields}};
+}
+
+Json sea_grid_json(const Case& data) {
+  Json grid = {{"tolerance", data.sea_grid.tolerance}};
+  if (data.sea_grid.from) grid["from"] = *data.sea_grid.from;
+  if (data.sea_grid.to) grid["to"] = *data.sea_grid.to;
+  return grid;
+}
+
+Json seas_json(const Case& data) {
+  Json seas = Json::array();
+  for (const wave::SeaState& sea : data.seas)
+    seas.push_back({{"name", sea.name},
+                    {"description", sea.description},
+                    {"significant_height", 4.0 * std::sqrt(sea.m0())},
+                    {"mean_heading_deg", sea.mean_heading_deg},
+                    {"duration", sea.duration},
+                    {"allow_truncation", sea.allow_truncation}});
+  return seas;
+}
+
+Point2 point_from(const Json& json) { return {json.at(0).get<double>(), json.at(1).get<double>()}; }
+
+MeshSource mesh_source_from(const Json& json) {
+  if (json.contains("file")) return std::filesystem::path(json.at("file").get<std::string>());
+  const Json& r = json.at("rectangle");
+  return mesh::RectangleOptions{.length = r.at("length"),
+                                .width = r.at("width"),
+                                .nx = r.at("nx"),
+                                .ny = r.at("ny"),
+                                .grading = r.at("grading")};
+}
+
+std::vector<NamedPoint> points_from(const Json& json) {
+  std::vector<NamedPoint> points;
+  for (const auto& [name, position] : json.items()) points.push_back({name, point_from(position)});
+  return points;
+}
+
+void read_output(const Json& output, Case& data) {
+  data.points = points_from(output.at("points"));
+  data.wave_points = points_from(output.at("wave_points"));
+  for (const auto& [name, line] : output.at("lines").items())
+    data.lines.push_back(
+        {name, point_from(line.at("from")), point_from(line.at("to")), line.at("count")});
+  data.quantities.clear();
+  for (const Json& name : output.at("quantities")) {
+    const auto quantity = response::quantity_from_name(name.get<std::string>());
+    FLOE_VALIDATE_AS(StoreError, quantity, "unknown quantity " << name);
+    data.quantities.push_back(*quantity);
+  }
+  for (const Json& field : output.at("fields"))
+    data.fields.push_back({field.at("omega"), field.at("heading_deg")});
+}
+
+Case read_case_json(const Json& options) {
+  Case data;
+  data.title = options.at("title");
+  const Json &water = options.at("water"), &plate = options.at("plate");
+  data.water = {.depth = water.at("depth").is_string() ? std::numeric_limits<double>::infinity()
+                                                       : water.at("depth").get<double>(),
+                .density = water.at("density"),
+                .gravity = water.at("gravity")};
+  data.plate = {.thickness = plate.at("thickness"),
+                .youngs_modulus = plate.at("youngs_modulus"),
+                .poisson_ratio = plate.at("poisson_ratio"),
+                .density = plate.at("density"),
+                .shear_correction = plate.at("shear_correction"),
+                .loss_factor = plate.at("loss_factor")};
+  if (plate.contains("mesh")) data.plate_mesh.push_back(mesh_source_from(plate.at("mesh")));
+  data.mesh = mesh_source_from(options.at("mesh"));
+  data.mode_count = options.at("modes").at("count");
+  data.omega = options.at("waves").at("omega").get<std::vector<double>>();
+  data.heading_deg = options.at("waves").at("heading_deg").get<std::vector<double>>();
+  for (const SolverMethod method :
+       {SolverMethod::kDense, SolverMethod::kLattice, SolverMethod::kPfft, SolverMethod::kFmm})
+    if (options.at("solver").at("method") == method_name(method)) data.method = method;
+  data.tolerance = options.at("solver").at("tolerance");
+  const Json& grid = options.at("sea_grid");
+  data.sea_grid.tolerance = grid.at("tolerance");
+  if (grid.contains("from")) data.sea_grid.from = grid.at("from").get<double>();
+  if (grid.contains("to")) data.sea_grid.to = grid.at("to").get<double>();
+  data.allow_coarse = options.at("allow_coarse");
+  read_output(options.at("output"), data);
+  return data;
+}
+
+}  // namespace
+
+Json case_json(const Case& data) {
+  const auto& p = data.plate;
+  Json plate = {{"thickness", p.thickness},
+                {"youngs_modulus", p.youngs_modulus},
+                {"poisson_ratio", p.poisson_ratio},
+                {"density", p.density},
+                {"shear_correction", p.shear_correction},
+                {"loss_factor", p.loss_factor}};
+  if (!data.plate_mesh.empty()) plate["mesh"] = json_of(data.plate_mesh.front());
+  const Json depth = std::isinf(data.water.depth) ? Json("inf") : Json(data.water.depth);
+  return {
+      {"title", data.title},
+      {"water",
+       {{"depth", depth}, {"density", data.water.density}, {"gravity", data.water.gravity}}},
+      {"plate", plate},
+      {"mesh", json_of(data.mesh)},
+      {"modes", {{"count", data.mode_count}}},
+      {"waves", {{"omega", data.omega}, {"heading_deg", data.heading_deg}}},
+      {"solver",
+       {{"method", method_name(data.method)}, {"route", "modal"}, {"tolerance", data.tolerance}}},
+      {"sea_grid", sea_grid_json(data)},
+      {"sea", seas_json(data)},
+      {"output", output_json(data)},
+      {"allow_coarse", data.allow_coarse}};
+}
+
+Case case_from_json(const Json& options) {
+  try {
+    return read_case_json(options);
+  } catch (const Json::exception& error) {
+    throw StoreError(std::string("the stored case is not complete: ") + error.what());
+  }
+}
+
+}  // namespace floe::io

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <floe/numeric/types.hpp>
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+namespace floe::io {
+
+/// Named numbers, matrices and texts in one checksummed file: what a run keeps of its work. Layout:
+/// magic, format version, byte order, length and XXH3-128 of the payload, payload. Written beside
+/// its name and renamed, so that a reader sees all of it or nothing; what a power cut does to the
+/// last ones, the checksum tells.
+class Record {
+ public:
+  void put(const std::string& name, const Eigen::Ref<const MatXd>& values);
+  void put(const std::string& name, const Eigen::Ref<const MatXcd>& values);
+  void put(const std::string& name, double value);
+  void put(const std::string& name, const std::string& text);
+
+  /// Throw StoreError when there is no such entry or it is of another kind.
+  MatXd real(const std::string& name) const;
+  MatXcd complex(const std::string& name) const;
+  double number(const std::string& name) const;
+  std::string text(const std::string& name) const;
+  bool holds(const std::string& name) const { return entries_.contains(name); }
+
+  /// Throws FileError when writing fails.
+  void write(const std::filesystem::path& path) const;
+  /// Throws StoreError when the file is not there, cut off, changed in any bit, or of another
+  /// version. Allocates no more than the file is long.
+  static Record read(const std::filesystem::path& path);
+
+ private:
+  enum class Kind : char { kReal = 'd', kComplex = 'z', kText = 't' };
+  struct Entry {
+    Kind kind;
+    Index rows, columns;
+    std::string bytes;
+  };
+  const Entry& entry(const std::string& name, Kind kind) const;
+  void put(const std::string& name, Kind kind, Index rows, Index columns, std::string bytes);
+  std::string payload() const;
+  static Record parse(std::string_view payload, const std::filesystem::path& path);
+
+  std::map<std::string, Entry> entries_;
+};
+
+}  // namespace floe::io

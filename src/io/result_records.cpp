@@ -1,0 +1,175 @@
+#include "io/result_records.hpp"
+
+#include <string>
+
+namespace floe::io {
+namespace {
+
+template <typename Number>
+VecXd as_vector(const std::vector<Number>& values) {
+  VecXd vector(static_cast<Index>(values.size()));
+  for (Index i = 0; i < vector.size(); ++i)
+    vector[i] = static_cast<double>(values[static_cast<std::size_t>(i)]);
+  return vector;
+}
+
+template <typename Number>
+std::vector<Number> as_list(const MatXd& values) {
+  std::vector<Number> list;
+  for (Index i = 0; i < values.size(); ++i) list.push_back(static_cast<Number>(values(i)));
+  return list;
+}
+
+}  // namespace
+
+Record record_of(const mesh::Q8Mesh& mesh) {
+  Record record;
+  record.put("nodes", mesh.nodes());
+  record.put("elements", mesh.elements().cast<double>());
+  return record;
+}
+
+mesh::Q8Mesh mesh_from(const Record& record) {
+  return mesh::Q8Mesh(record.real("nodes"), record.real("elements").cast<Index>());
+}
+
+Record record_of(const plate::DryModes& modes) {
+  Record record;
+  record.put("omega", modes.omega);
+  record.put("shape", modes.shape);
+  record.put("modal_mass", modes.modal_mass);
+  record.put("rigid_count", static_cast<double>(modes.rigid_count));
+  record.put("estimated_frequency_error", modes.estimated_frequency_error);
+  return record;
+}
+
+plate::DryModes modes_from(const Record& record) {
+  plate::DryModes modes;
+  modes.omega = record.real("omega");
+  modes.shape = record.real("shape");
+  modes.modal_mass = record.real("modal_mass");
+  modes.rigid_count = static_cast<int>(record.number("rigid_count"));
+  modes.estimated_frequency_error = record.number("estimated_frequency_error");
+  return modes;
+}
+
+Record record_of(const FrequencyResult& result) {
+  Record record;
+  record.put("omega", result.omega);
+  record.put("wavenumber", result.wavenumber);
+  record.put("added_mass", result.added_mass);
+  record.put("damping", result.damping);
+  record.put("exciting_force", result.exciting_force);
+  record.put("amplitudes", result.amplitudes);
+  record.put("line_deflection", result.line_deflection);
+  record.put("point_deflection", result.point_deflection);
+  record.put("wave_elevation", result.wave_elevation);
+  record.put("quantities", static_cast<double>(result.point_quantities.size()));
+  for (std::size_t q = 0; q < result.point_quantities.size(); ++q)
+    record.put("quantity " + std::to_string(q), result.point_quantities[q]);
+  const FrequencyReport& report = result.report;
+  record.put("method", report.method);
+  record.put("report", VecXd{{static_cast<double>(report.iterations),
+                              static_cast<double>(report.applications), report.true_residual,
+                              report.kernel_error, report.reciprocity_error, report.energy_error,
+                              report.seconds}});
+  return record;
+}
+
+FrequencyResult frequency_from(const Record& record) {
+  FrequencyResult result;
+  result.omega = record.number("omega");
+  result.wavenumber = record.number("wavenumber");
+  result.added_mass = record.real("added_mass");
+  result.damping = record.real("damping");
+  result.exciting_force = record.complex("exciting_force");
+  result.amplitudes = record.complex("amplitudes");
+  result.line_deflection = record.complex("line_deflection");
+  result.point_deflection = record.complex("point_deflection");
+  result.wave_elevation = record.complex("wave_elevation");
+  const auto count = static_cast<std::size_t>(record.number("quantities"));
+  for (std::size_t q = 0; q < count; ++q)
+    result.point_quantities.push_back(record.complex("quantity " + std::to_string(q)));
+  const std::vector<double> report = as_list<double>(record.real("report"));
+  result.report = {.omega = result.omega,
+                   .method = record.text("method"),
+                   .iterations = static_cast<int>(report.at(0)),
+                   .applications = static_cast<long>(report.at(1)),
+                   .true_residual = report.at(2),
+                   .kernel_error = report.at(3),
+                   .reciprocity_error = report.at(4),
+                   .energy_error = report.at(5),
+                   .seconds = report.at(6)};
+  return result;
+}
+
+Record record_of(const SeaObservation& observation, const SeaGridReport& grid) {
+  Record record;
+  record.put("quantity", as_vector(observation.quantity));
+  record.put("derivative", as_vector(observation.derivative));
+  record.put("points", observation.points);
+  record.put("lines", observation.lines);
+  record.put("nodes", observation.nodes);
+  record.put("omega", as_vector(grid.omega));
+  record.put("headings", static_cast<double>(grid.headings));
+  return record;
+}
+
+SeaObservation observation_from(const Record& record) {
+  return {as_list<std::size_t>(record.real("quantity")), as_list<int>(record.real("derivative")),
+          record.real("points"), record.real("lines"), record.real("nodes")};
+}
+
+SeaGridReport sea_grid_from(const Record& record) {
+  return {as_list<double>(record.real("omega")), static_cast<int>(record.number("headings")), 0.0,
+          0};
+}
+
+Record record_of(const SeaTransfer& transfer) {
+  Record record;
+  record.put("omega", transfer.omega);
+  record.put("state", transfer.state);
+  return record;
+}
+
+SeaTransfer transfer_from(const Record& record) {
+  return {record.number("omega"), record.complex("state")};
+}
+
+Record record_of(const SeaResult& result) {
+  Record record;
+  record.put("sea", result.sea);
+  record.put("omega", as_vector(result.omega));
+  record.put("quantity", as_vector(result.quantity));
+  for (std::size_t q = 0; q < result.quantity.size(); ++q) {
+    record.put("spectra " + std::to_string(q), result.spectra[q]);
+    record.put("moments " + std::to_string(q), result.moments[q]);
+  }
+  record.put("line_deviation", result.line_deviation);
+  record.put("node_moments", result.node_moments);
+  record.put("facts", VecXd{{result.mean_heading_deg, result.duration, result.significant_height,
+                             result.share_outside, result.grid_error}});
+  return record;
+}
+
+SeaResult sea_from(const Record& record) {
+  SeaResult result;
+  result.sea = record.text("sea");
+  result.omega = as_list<double>(record.real("omega"));
+  result.quantity = as_list<std::size_t>(record.real("quantity"));
+  for (std::size_t q = 0; q < result.quantity.size(); ++q) {
+    result.spectra.push_back(record.real("spectra " + std::to_string(q)));
+    result.moments.push_back(record.real("moments " + std::to_string(q)));
+  }
+  result.line_deviation = record.real("line_deviation");
+  result.node_moments = record.real("node_moments");
+  const std::vector<double> facts = as_list<double>(record.real("facts"));
+  result.mean_heading_deg = facts.at(0);
+  result.duration = facts.at(1);
+  result.significant_height = facts.at(2);
+  result.share_outside = facts.at(3);
+  result.grid_error = facts.at(4);
+  return result;
+}
+
+}  // namespace floe::io

@@ -1,0 +1,93 @@
+#include "io/case_json.hpp"
+#include "io/record_names.hpp"
+#include "io/regular_file.hpp"
+#include "io/result_records.hpp"
+
+#include <floe/io/stored_run.hpp>
+#include <floe/numeric/error.hpp>
+
+namespace floe::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::uintmax_t kLargestAccount = std::uintmax_t{256} << 20;
+
+Json read_json(const std::filesystem::path& path) {
+  try {
+    return Json::parse(read_regular_file(path, kLargestAccount));
+  } catch (const Json::exception&) {
+    throw StoreError(path.string() + " is no account of floe (give the directory of a run)");
+  } catch (const InputError&) {
+    throw StoreError("no result of floe in " + path.parent_path().string() + ": " +
+                     path.filename().string() +
+                     " cannot be read (give the directory of a finished run)");
+  }
+}
+
+}  // namespace
+
+StoredRun::StoredRun(std::filesystem::path directory) : directory_(std::move(directory)) {
+  const Json account = read_json(directory_ / "run.json");
+  const Json manifest = read_json(record(kManifest));
+  data_ = case_from_json(manifest.value("options", Json::object()));
+  try {
+    text_ = manifest.at("case_text");
+    status_ = account.at("status");
+    warnings_ = account.at("warnings").get<std::vector<std::string>>();
+    for (const Json& stage : account.at("stages"))
+      stages_.push_back({stage.at("stage"), stage.at("seconds"), stage.at("peak_memory")});
+    for (const Json& sea : manifest.at("options").at("sea")) {
+      sea_names_.push_back(sea.at("name"));
+      sea_descriptions_.push_back(sea.at("description"));
+    }
+  } catch (const Json::exception& error) {
+    throw StoreError("the account of " + directory_.string() + " is not complete: " + error.what());
+  }
+}
+
+std::filesystem::path StoredRun::record(const std::string& name) const { return directory_ / name; }
+
+mesh::Q8Mesh StoredRun::fluid_mesh() const { return mesh_from(Record::read(record(kFluidMesh))); }
+
+mesh::Q8Mesh StoredRun::mode_mesh() const {
+  const bool own = std::filesystem::exists(record(kModeMesh));
+  return mesh_from(Record::read(record(own ? kModeMesh : kFluidMesh)));
+}
+
+plate::DryModes StoredRun::modes() const { return modes_from(Record::read(record(kModes))); }
+
+std::vector<FrequencyResult> StoredRun::frequencies() const {
+  std::vector<FrequencyResult> results;
+  for (std::size_t i = 0; i < data_.omega.size(); ++i) {
+    const std::filesystem::path path = record(numbered_record("frequency", i));
+    if (!std::filesystem::exists(path)) break;
+    results.push_back(frequency_from(Record::read(path)));
+  }
+  return results;
+}
+
+std::vector<SeaResult> StoredRun::seas() const {
+  std::vector<SeaResult> results;
+  for (std::size_t i = 0;; ++i) {
+    const std::filesystem::path path = record(numbered_record("sea", i));
+    if (!std::filesystem::exists(path)) return results;
+    results.push_back(sea_from(Record::read(path)));
+  }
+}
+
+bool StoredRun::has_transfers() const { return std::filesystem::exists(record(kObservation)); }
+
+SeaObservation StoredRun::observation() const {
+  return observation_from(Record::read(record(kObservation)));
+}
+
+SeaGridReport StoredRun::sea_grid() const {
+  return sea_grid_from(Record::read(record(kObservation)));
+}
+
+SeaTransfer StoredRun::transfer(std::size_t place) const {
+  return transfer_from(Record::read(record(numbered_record("transfer", place))));
+}
+
+}  // namespace floe::io
