@@ -2,6 +2,8 @@
 
 #include <floe/analysis.hpp>
 
+#include <optional>
+
 namespace floe {
 
 void analyse(const Case& data, Log& log, Store& store) {
@@ -14,22 +16,35 @@ void analyse(const Case& data, Log& log, Store& store) {
 
   // Find how the plate moves when it is dry
   log.progress(0.0, "dry modes");
-  const PlateModel plate = clock.time("dry modes", [&] { return prepare_plate(data, meshes); });
+  const PlateModel plate =
+      clock.time("dry modes", [&] { return prepare_plate(data, meshes, store.known_modes()); });
   store.modes(plate.modes, meshes.plate());
 
-  // Prepare what no frequency changes
-  const FluidModel fluid =
-      clock.time("geometry", [&] { return prepare_fluid(data, meshes, plate, band); });
+  // Prepare what no frequency changes, once something is to be solved
+  std::optional<FluidModel> prepared;
+  const auto fluid = [&]() -> const FluidModel& {
+    if (!prepared)
+      prepared.emplace(
+          clock.time("geometry", [&] { return prepare_fluid(data, meshes, plate, band); }));
+    return *prepared;
+  };
 
   // Solve one frequency after the other
   const double count = static_cast<double>(data.omega.size());
   for (std::size_t i = 0; i < data.omega.size(); ++i) {
     log.progress(static_cast<double>(i) / count,
                  "frequency " + std::to_string(i + 1) + " of " + std::to_string(data.omega.size()));
-    store.frequency(solve_frequency(data, plate, fluid, data.omega[i], clock));
+    const std::optional<FrequencyResult> known = store.known_frequency(i);
+    store.frequency(known ? *known : solve_frequency(data, plate, fluid(), data.omega[i], clock));
   }
+
   // Put the plate into the seas
-  if (band.asked()) solve_seas(data, band, plate, fluid, clock, log, store);
+  if (band.asked()) {
+    if (const std::optional<SeaGridReport> known = store.known_sea_grid())
+      repeat_seas(data, *known, store);
+    else
+      solve_seas(data, band, plate, fluid(), clock, log, store);
+  }
   log.progress(1.0, "done");
   store.finish(clock.times());
 }

@@ -89,12 +89,14 @@ Meshes prepare_meshes(const Case& data, Log& log) {
   return meshes;
 }
 
-PlateModel prepare_plate(const Case& data, const Meshes& meshes) {
+PlateModel prepare_plate(const Case& data, const Meshes& meshes,
+                         std::optional<plate::DryModes> known) {
   const mesh::Q8Mesh& mesh = meshes.plate();
   const SparseMatrix at_points =
       response::interpolation_to(mesh, positions_of(data.points), names_of(data.points));
   const SparseMatrix at_lines = interpolation_to_lines(mesh, data.lines);
-  plate::DryModes modes = plate::dry_modes(mesh, data.plate, {.count = data.mode_count});
+  plate::DryModes modes =
+      known ? std::move(*known) : plate::dry_modes(mesh, data.plate, {.count = data.mode_count});
   plate::DryModes fluid_modes =
       meshes.own_plate ? plate::interpolate_modes(modes, mesh, meshes.fluid) : modes;
   response::ModalBasis points(mesh, data.plate, modes, at_points, data.quantities);

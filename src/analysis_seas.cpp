@@ -229,9 +229,22 @@ void solve_seas(const Case& data, const SeaBand& band, const PlateModel& plate,
   }
 
   // Tell the statistics, and how they came about
-  for (const SeaResult& result : statistics.results()) store.sea(result);
   grid.interpolation_error = march.largest_error();
   grid.solved_frequencies = march.solved();
+  for (const SeaResult& result : statistics.results()) store.sea(result);
+  store.end_seas(grid);
+}
+
+void repeat_seas(const Case& data, const SeaGridReport& grid, Store& store) {
+  const SeaObservation observation = store.known_observation();
+  SeaStatistics statistics(data.seas, observation, grid.omega, grid.headings);
+  store.begin_seas(observation, grid);
+  for (std::size_t i = 0; i < grid.omega.size(); ++i) {
+    const SeaTransfer transfer = store.known_transfer(i);
+    store.sea_transfer(transfer);
+    statistics.add(transfer);
+  }
+  for (const SeaResult& result : statistics.results()) store.sea(result);
   store.end_seas(grid);
 }
 

@@ -87,7 +87,9 @@ struct SeaBand {
 };
 
 Meshes prepare_meshes(const Case& data, Log& log);
-PlateModel prepare_plate(const Case& data, const Meshes& meshes);
+/// With the modes that are known, or else computes them.
+PlateModel prepare_plate(const Case& data, const Meshes& meshes,
+                         std::optional<plate::DryModes> known);
 /// For frequencies up to `highest` [rad/s].
 FluidOperators prepare_operators(const Case& data, const mesh::Q8Mesh& mesh, double highest);
 FluidModel prepare_fluid(const Case& data, const Meshes& meshes, const PlateModel& plate,
@@ -103,6 +105,8 @@ FrequencyResult solve_frequency(const Case& data, const PlateModel& plate, const
 SeaBand prepare_seas(const Case& data, const Meshes& meshes, Log& log);
 void solve_seas(const Case& data, const SeaBand& band, const PlateModel& plate,
                 const FluidModel& fluid, StageClock& clock, Log& log, Store& store);
+/// The same from transfer functions that the store holds; no solve.
+void repeat_seas(const Case& data, const SeaGridReport& grid, Store& store);
 /// The residual that a solution of the fluid's equation must have.
 double residual_limit(const Case& data, const FluidModel& fluid);
 

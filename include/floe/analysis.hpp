@@ -11,6 +11,7 @@
 #include <floe/wave/water.hpp>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -141,6 +142,16 @@ class Log {
 class Store {
  public:
   virtual ~Store() = default;
+
+  /// What an earlier run of the same case left, asked for after `begin`; what is told is not
+  /// computed again, but handed back to the functions below as if it were new.
+  virtual std::optional<plate::DryModes> known_modes() { return std::nullopt; }
+  virtual std::optional<FrequencyResult> known_frequency(std::size_t) { return std::nullopt; }
+  /// All transfer functions of the seas and how they came about, or nothing.
+  virtual std::optional<SeaGridReport> known_sea_grid() { return std::nullopt; }
+  virtual SeaTransfer known_transfer(std::size_t) { return {}; }
+  virtual SeaObservation known_observation() { return {}; }
+
   virtual void begin(const Case& data, const mesh::Q8Mesh& mesh) = 0;
   /// `mesh` is that of the modes: the plate's own, or else the fluid's.
   virtual void modes(const plate::DryModes& modes, const mesh::Q8Mesh& mesh) = 0;

@@ -8,6 +8,7 @@
 #include "io/vtu.hpp"
 
 #include <floe/io/directory_store.hpp>
+#include <floe/io/stored_run.hpp>
 #include <floe/mesh/mesh_hash.hpp>
 #include <floe/numeric/error.hpp>
 #include <floe/preflight.hpp>
@@ -20,10 +21,19 @@
 #include <cerrno>
 #include <cstring>
 #include <optional>
+#include <set>
 
 namespace floe::io {
 
 namespace {
+
+nlohmann::ordered_json manifest_json(const Case& data, const std::string& mesh_hash) {
+  return {{"program", "floe"},
+          {"version", FLOE_VERSION},
+          {"mesh_hash", mesh_hash},
+          {"options", case_json(data)},
+          {"case_text", data.text}};
+}
 
 void make_folder(const std::filesystem::path& folder) {
   if (::mkdir(folder.c_str(), 0777) != 0 && errno != EEXIST)
@@ -34,7 +44,13 @@ void make_folder(const std::filesystem::path& folder) {
 
 class DirectoryStore::Impl {
  public:
-  Impl(const std::filesystem::path& path, Existing existing) : directory(path, existing) {}
+  Impl(const std::filesystem::path& path, Existing existing)
+      : directory(path, existing), resume_(existing == Existing::kResume) {}
+
+  // A record of the earlier run, decoded; nothing where it is missing or damaged
+  template <typename Decode>
+  auto known(const std::string& name, Decode decode) -> std::optional<decltype(decode(Record()))>;
+  bool knows_all_transfers(const SeaGridReport& grid);
 
   void begin(const Case& given, const mesh::Q8Mesh& given_mesh);
   void modes(const plate::DryModes& dry, const mesh::Q8Mesh& mesh);
@@ -47,6 +63,7 @@ class DirectoryStore::Impl {
 
   OutputDirectory directory;
   RunAccount account;
+  std::vector<std::string> damaged;
 
  private:
   std::filesystem::path file(const std::string& name) const { return directory.path() / name; }
@@ -57,6 +74,11 @@ class DirectoryStore::Impl {
   void warn_of_truncation(const SeaResult& sea);
   PvdEntry entry_of(const NodeField& field) const;
 
+  void require_same_case() const;
+  void store_record(const std::string& name, const Record& record);
+
+  bool resume_;
+  std::set<std::string> good_;  // records of the earlier run that were read
   Case data_;
   const mesh::Q8Mesh* mesh_ = nullptr;  // view, until the end
   std::vector<std::string> remarks_;
@@ -85,7 +107,12 @@ void DirectoryStore::Impl::begin(const Case& given, const mesh::Q8Mesh& given_me
   for (const std::string& warning : account.warnings) remarks_.push_back("warning: " + warning);
 
   // Claim the directory: the account first, so that every file of the run is listed
-  directory.clear_earlier_run();
+  resume_ = resume_ && std::filesystem::exists(file(kManifest));
+  if (resume_) require_same_case();
+  if (resume_)
+    directory.clear_leftovers();
+  else
+    directory.clear_earlier_run();
   plan_records();
   write_account();
   make_folder(file("records"));
@@ -101,18 +128,60 @@ void DirectoryStore::Impl::plan_records() {
     account.files.push_back(numbered_record("frequency", i));
 }
 
+// Names what differs between the earlier run's case and this one
+void DirectoryStore::Impl::require_same_case() const {
+  const StoredRun earlier(directory.path());
+  // NOTE: through text, as the other was
+  nlohmann::ordered_json mine =
+      nlohmann::ordered_json::parse(manifest_json(data_, account.mesh_hash).dump());
+  nlohmann::ordered_json theirs = nlohmann::ordered_json::parse(earlier.manifest_text());
+  for (nlohmann::ordered_json* manifest : {&mine, &theirs}) {
+    manifest->erase("case_text");
+    if (manifest->contains("options")) (*manifest)["options"].erase("title");
+  }
+  std::string differing;
+  for (const auto& change : nlohmann::ordered_json::diff(theirs, mine))
+    differing += (differing.empty() ? "" : ", ") + change.at("path").get<std::string>();
+  FLOE_VALIDATE_AS(StoreError, differing.empty(),
+                   directory.path().string()
+                       << " holds results of another case: " << differing
+                       << " differ (give --fresh to replace them, or another directory with -o)");
+}
+
+// What the earlier run stored well stays
+void DirectoryStore::Impl::store_record(const std::string& name, const Record& record) {
+  if (!good_.contains(name)) record.write(file(name));
+}
+
+template <typename Decode>
+auto DirectoryStore::Impl::known(const std::string& name, Decode decode)
+    -> std::optional<decltype(decode(Record()))> {
+  if (!resume_ || !std::filesystem::exists(file(name))) return std::nullopt;
+  try {
+    auto value = decode(Record::read(file(name)));
+    good_.insert(name);
+    return value;
+  } catch (const StoreError&) {
+    damaged.push_back("record " + file(name).string() + " is damaged");
+    return std::nullopt;
+  }
+}
+
+bool DirectoryStore::Impl::knows_all_transfers(const SeaGridReport& grid) {
+  bool all = known(kObservation, observation_from).has_value();
+  for (std::size_t i = 0; all && i < grid.omega.size(); ++i)
+    all = known(numbered_record("transfer", i), transfer_from).has_value();
+  return all;
+}
+
 void DirectoryStore::Impl::write_manifest() const {
-  const nlohmann::ordered_json manifest = {{"program", "floe"},
-                                           {"version", FLOE_VERSION},
-                                           {"mesh_hash", account.mesh_hash},
-                                           {"options", case_json(data_)},
-                                           {"case_text", data_.text}};
+  const nlohmann::ordered_json manifest = manifest_json(data_, account.mesh_hash);
   write_file(file(kManifest),
              manifest.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
 void DirectoryStore::Impl::modes(const plate::DryModes& dry, const mesh::Q8Mesh& mode_mesh) {
-  record_of(dry).write(file(kModes));
+  store_record(kModes, record_of(dry));
   if (&mode_mesh != mesh_) record_of(mode_mesh).write(file(kModeMesh));
   account.dry_omega.assign(dry.omega.data(), dry.omega.data() + dry.omega.size());
   account.dry_omega_error = dry.estimated_frequency_error;
@@ -127,7 +196,7 @@ void DirectoryStore::Impl::frequency(const FrequencyResult& result) {
     write_fields(result);
   }
   tables_->mark();
-  record_of(result).write(file(numbered_record("frequency", account.frequencies.size())));
+  store_record(numbered_record("frequency", account.frequencies.size()), record_of(result));
   account.frequencies.push_back(result.report);
   account.wavenumber.push_back(result.wavenumber);
 }
@@ -166,22 +235,23 @@ void DirectoryStore::Impl::warn_of_truncation(const SeaResult& sea) {
 
 void DirectoryStore::Impl::begin_seas(const SeaObservation& observation,
                                       const SeaGridReport& planned) {
-  account.files.push_back(kObservation);
+  account.files.insert(account.files.end(), {kObservation, kSeaGrid});
   for (std::size_t i = 0; i < planned.omega.size(); ++i)
     account.files.push_back(numbered_record("transfer", i));
   for (std::size_t s = 0, i = 0; s < data_.seas.size(); ++s)
     for (std::size_t m = 0; m < data_.seas[s].mean_heading_deg.size(); ++m, ++i)
       account.files.push_back(numbered_record("sea", i));
   write_account();
-  record_of(observation, planned).write(file(kObservation));
+  store_record(kObservation, record_of(observation, planned));
 }
 
 void DirectoryStore::Impl::sea_transfer(const SeaTransfer& transfer) {
-  record_of(transfer).write(file(numbered_record("transfer", transfers_++)));
+  store_record(numbered_record("transfer", transfers_++), record_of(transfer));
 }
 
 void DirectoryStore::Impl::end_seas(const SeaGridReport& grid) {
   account.sea_grid = grid;
+  store_record(kSeaGrid, record_of(grid));
   if (seas_.empty()) return;
   for (const SeaResult& sea : seas_) {
     account.seas.push_back(summary_of(sea));
@@ -201,7 +271,7 @@ void DirectoryStore::Impl::end(const std::string& status) {
   if (!tables_) return;
   if (account.frequencies.empty()) {
     tables_.reset();
-    directory.remove(account.files);
+    if (!resume_) directory.remove(account.files);
     return;
   }
   tables_->rollback();
@@ -216,6 +286,30 @@ DirectoryStore::DirectoryStore(const std::filesystem::path& directory, Existing 
     : impl_(std::make_unique<Impl>(directory, existing)) {}
 
 DirectoryStore::~DirectoryStore() = default;
+
+std::optional<plate::DryModes> DirectoryStore::known_modes() {
+  return impl_->known(kModes, modes_from);
+}
+
+std::optional<FrequencyResult> DirectoryStore::known_frequency(std::size_t place) {
+  return impl_->known(numbered_record("frequency", place), frequency_from);
+}
+
+std::optional<SeaGridReport> DirectoryStore::known_sea_grid() {
+  std::optional<SeaGridReport> grid = impl_->known(kSeaGrid, finished_grid_from);
+  if (grid && !impl_->knows_all_transfers(*grid)) return std::nullopt;
+  return grid;
+}
+
+SeaTransfer DirectoryStore::known_transfer(std::size_t place) {
+  return transfer_from(Record::read(directory() / numbered_record("transfer", place)));
+}
+
+SeaObservation DirectoryStore::known_observation() {
+  return observation_from(Record::read(directory() / kObservation));
+}
+
+const std::vector<std::string>& DirectoryStore::damaged_records() const { return impl_->damaged; }
 
 void DirectoryStore::begin(const Case& data, const mesh::Q8Mesh& mesh) { impl_->begin(data, mesh); }
 

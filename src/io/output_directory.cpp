@@ -129,9 +129,9 @@ void OutputDirectory::look_at_content(Existing existing) {
   const std::filesystem::path account = path_ / "run.json";
   const bool holds_run = std::filesystem::exists(std::filesystem::symlink_status(account));
   if (holds_run) {
-    FLOE_VALIDATE_AS(StoreError, existing == Existing::kReplace,
-                     path_.string() << " holds a result already (give --fresh to replace it, or "
-                                       "another directory with -o)");
+    FLOE_VALIDATE_AS(StoreError, existing != Existing::kRefuse,
+                     path_.string() << " holds a result already (give --resume to go on with it, "
+                                       "--fresh to replace it, or another directory with -o)");
     earlier_files_ = files_of_run(account);
     return;
   }
@@ -148,19 +148,29 @@ void OutputDirectory::clear_earlier_run() {
   remove(std::exchange(earlier_files_, {}));
 }
 
+void OutputDirectory::clear_leftovers() { remove_leftovers(std::exchange(earlier_files_, {})); }
+
 void OutputDirectory::remove(const std::vector<std::string>& files) const {
   std::error_code ignored;
-  std::map<std::filesystem::path, std::set<std::string>> products;  // by folder
   for (const std::string& file : files) {
     if (!is_inside(file)) continue;
     const std::filesystem::path target = path_ / file;
     if (!std::filesystem::is_directory(std::filesystem::symlink_status(target, ignored)))
       std::filesystem::remove(target, ignored);
-    products[target.parent_path()].insert(target.filename().string());
   }
-  // What a killed run left under construction
+  remove_leftovers(files);
+  // Removed only when nothing else is in them
+  for (const char* folder : {"fields", "records"}) ::rmdir((path_ / folder).c_str());
+}
+
+// What a killed run left beside the names of these files
+void OutputDirectory::remove_leftovers(const std::vector<std::string>& files) const {
+  std::map<std::filesystem::path, std::set<std::string>> products;  // by folder
+  for (const std::string& file : files)
+    if (is_inside(file))
+      products[(path_ / file).parent_path()].insert((path_ / file).filename().string());
   for (const auto& [folder, names] : products) {
-    ignored.clear();
+    std::error_code ignored;
     for (std::filesystem::directory_iterator at(folder, ignored), end; !ignored && at != end;
          at.increment(ignored)) {
       std::error_code gone;
@@ -168,8 +178,6 @@ void OutputDirectory::remove(const std::vector<std::string>& files) const {
         std::filesystem::remove(at->path(), gone);
     }
   }
-  // Removed only when nothing else is in them
-  for (const char* folder : {"fields", "records"}) ::rmdir((path_ / folder).c_str());
 }
 
 }  // namespace floe::io

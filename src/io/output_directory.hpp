@@ -21,12 +21,15 @@ class OutputDirectory final {
 
   /// Deletes the files of the earlier run that is to be replaced, if there is one.
   void clear_earlier_run();
+  /// Deletes only what that run left under construction.
+  void clear_leftovers();
   /// Deletes these files of this run.
   void remove(const std::vector<std::string>& files) const;
 
  private:
   void make();
   void lock();
+  void remove_leftovers(const std::vector<std::string>& files) const;
   void look_at_content(Existing existing);
 
   std::filesystem::path path_;

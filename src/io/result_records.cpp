@@ -67,6 +67,14 @@ Record record_of(const FrequencyResult& result) {
   record.put("quantities", static_cast<double>(result.point_quantities.size()));
   for (std::size_t q = 0; q < result.point_quantities.size(); ++q)
     record.put("quantity " + std::to_string(q), result.point_quantities[q]);
+  record.put("fields", static_cast<double>(result.fields.size()));
+  for (std::size_t f = 0; f < result.fields.size(); ++f) {
+    const NodeField& field = result.fields[f];
+    MatXcd values(field.deflection.size(), 4);
+    values << field.deflection, field.rotation_x, field.rotation_y, field.pressure;
+    record.put("field " + std::to_string(f), values);
+    record.put("field heading " + std::to_string(f), field.heading_deg);
+  }
   const FrequencyReport& report = result.report;
   record.put("method", report.method);
   record.put("report", VecXd{{static_cast<double>(report.iterations),
@@ -90,6 +98,12 @@ FrequencyResult frequency_from(const Record& record) {
   const auto count = static_cast<std::size_t>(record.number("quantities"));
   for (std::size_t q = 0; q < count; ++q)
     result.point_quantities.push_back(record.complex("quantity " + std::to_string(q)));
+  const auto fields = static_cast<std::size_t>(record.number("fields"));
+  for (std::size_t f = 0; f < fields; ++f) {
+    const MatXcd values = record.complex("field " + std::to_string(f));
+    result.fields.push_back({result.omega, record.number("field heading " + std::to_string(f)),
+                             values.col(0), values.col(1), values.col(2), values.col(3)});
+  }
   const std::vector<double> report = as_list<double>(record.real("report"));
   result.report = {.omega = result.omega,
                    .method = record.text("method"),
@@ -123,6 +137,22 @@ SeaObservation observation_from(const Record& record) {
 SeaGridReport sea_grid_from(const Record& record) {
   return {as_list<double>(record.real("omega")), static_cast<int>(record.number("headings")), 0.0,
           0};
+}
+
+Record record_of(const SeaGridReport& grid) {
+  Record record;
+  record.put("omega", as_vector(grid.omega));
+  record.put("headings", static_cast<double>(grid.headings));
+  record.put("interpolation_error", grid.interpolation_error);
+  record.put("solved_frequencies", static_cast<double>(grid.solved_frequencies));
+  return record;
+}
+
+SeaGridReport finished_grid_from(const Record& record) {
+  SeaGridReport grid = sea_grid_from(record);
+  grid.interpolation_error = record.number("interpolation_error");
+  grid.solved_frequencies = static_cast<int>(record.number("solved_frequencies"));
+  return grid;
 }
 
 Record record_of(const SeaTransfer& transfer) {

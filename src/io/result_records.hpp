@@ -13,13 +13,15 @@ mesh::Q8Mesh mesh_from(const Record& record);
 Record record_of(const plate::DryModes& modes);
 plate::DryModes modes_from(const Record& record);
 
-/// Node fields are left out: they are products of their own.
 Record record_of(const FrequencyResult& result);
 FrequencyResult frequency_from(const Record& record);
 
 Record record_of(const SeaObservation& observation, const SeaGridReport& grid);
 SeaObservation observation_from(const Record& record);
 SeaGridReport sea_grid_from(const Record& record);
+
+Record record_of(const SeaGridReport& grid);
+SeaGridReport finished_grid_from(const Record& record);
 
 Record record_of(const SeaTransfer& transfer);
 SeaTransfer transfer_from(const Record& record);

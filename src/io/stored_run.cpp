@@ -30,6 +30,7 @@ Json read_json(const std::filesystem::path& path) {
 StoredRun::StoredRun(std::filesystem::path directory) : directory_(std::move(directory)) {
   const Json account = read_json(directory_ / "run.json");
   const Json manifest = read_json(record(kManifest));
+  manifest_ = manifest.dump();
   data_ = case_from_json(manifest.value("options", Json::object()));
   try {
     text_ = manifest.at("case_text");

@@ -104,7 +104,12 @@ void add_run(CLI::App& app, Choice& choice) {
       ->type_name("DIR")
       ->check(one_of("-o", "the name of a folder",
                      [](const std::string& text) { return !text.empty(); }));
-  command.add_flag("--fresh", choice.run.fresh, "replace the results of an earlier run");
+  CLI::Option* fresh =
+      command.add_flag("--fresh", choice.run.fresh, "replace the results of an earlier run");
+  command
+      .add_flag("--resume", choice.run.resume,
+                "go on with an earlier run of the same case; what it finished is not solved again")
+      ->excludes(fresh);
   command
       .add_option_function<std::string>(
           "--progress",
@@ -197,7 +202,7 @@ void refuse_later_words(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     const std::string word = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
     if (word == "--") return;
-    for (const char* later : {"--resume", "--max-time", "--shard"})
+    for (const char* later : {"--max-time", "--shard"})
       if (word == later) refuse(word);
   }
 }

@@ -14,6 +14,7 @@ struct RunOptions {
   int threads = 0;               ///< 0: as many as the process may use
   double memory = 0.0;           ///< [byte]; 0: what the machine allows
   bool fresh = false;
+  bool resume = false;  ///< go on with an earlier run of the same case
   bool allow_coarse = false;
   ProgressStyle progress = ProgressStyle::kAuto;
 };

@@ -36,6 +36,14 @@ class ToldStore final : public Store {
  public:
   ToldStore(io::DirectoryStore& store, Account& account) : store_(store), account_(account) {}
 
+  std::optional<plate::DryModes> known_modes() override { return store_.known_modes(); }
+  std::optional<FrequencyResult> known_frequency(std::size_t place) override {
+    return store_.known_frequency(place);
+  }
+  std::optional<SeaGridReport> known_sea_grid() override { return store_.known_sea_grid(); }
+  SeaTransfer known_transfer(std::size_t place) override { return store_.known_transfer(place); }
+  SeaObservation known_observation() override { return store_.known_observation(); }
+
   void begin(const Case& data, const mesh::Q8Mesh& mesh) override {
     const Estimate plan = estimate(data, mesh, omp_get_max_threads());
     account_.fact("mesh", fmt::format("{}, {}, {}, {:.6g} m²", counted(mesh.node_count(), "node"),
@@ -150,8 +158,9 @@ void run_case(const RunOptions& options) {
   Account account(options.progress);
   const Case data = read_case_for(options, account);
   use_threads(options.threads, account);
-  io::DirectoryStore store(output_of(options),
-                           options.fresh ? io::Existing::kReplace : io::Existing::kRefuse);
+  io::DirectoryStore store(output_of(options), options.fresh    ? io::Existing::kReplace
+                                               : options.resume ? io::Existing::kResume
+                                                                : io::Existing::kRefuse);
 
   // Compute; whatever ends the run early, finished frequencies stay
   ToldStore told(store, account);
@@ -168,6 +177,8 @@ void run_case(const RunOptions& options) {
   }
 
   // Tell where everything lies
+  for (const std::string& damaged : store.damaged_records())
+    account.warning(damaged + " (computed again)");
   account.show_warnings();
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   account.gap();

@@ -88,9 +88,9 @@ TEST(Program, RefusesWrongCommandLinesWithTwo) {
 
 TEST(Program, RefusesWhatComesLaterByName) {
   const TestFolder folder;
-  for (const char* arguments : {"status", "export", "merge", "converge", "init", "mesh disc",
-                                "mesh ring", "mesh lshape", "mesh modules", "run a.toml --resume",
-                                "run a.toml --max-time 3", "run a.toml --shard=1/2"}) {
+  for (const char* arguments :
+       {"status", "export", "merge", "converge", "init", "mesh disc", "mesh ring", "mesh lshape",
+        "mesh modules", "run a.toml --max-time 3", "run a.toml --shard=1/2"}) {
     const ProgramResult result = run_floe(folder, arguments);
     EXPECT_EQ(result.code, 2) << arguments;
     EXPECT_THAT(result.error, HasSubstr("is not available yet in this version")) << arguments;

@@ -12,6 +12,7 @@ namespace floe::io {
 /// What to do with a floe result that is there already.
 enum class Existing {
   kRefuse,  ///< throw StoreError
+  kResume,  ///< take over what an earlier run of the same case finished
   kReplace  ///< delete the files that floe made, and no others, when the new run begins
 };
 
@@ -32,6 +33,16 @@ class DirectoryStore final : public Store {
   DirectoryStore(const DirectoryStore&) = delete;
   DirectoryStore& operator=(const DirectoryStore&) = delete;
 
+  /// Of the earlier run, with kResume. A record that is missing or damaged is not known.
+  std::optional<plate::DryModes> known_modes() override;
+  std::optional<FrequencyResult> known_frequency(std::size_t place) override;
+  std::optional<SeaGridReport> known_sea_grid() override;
+  SeaTransfer known_transfer(std::size_t place) override;
+  SeaObservation known_observation() override;
+  /// One sentence a record that was found damaged.
+  const std::vector<std::string>& damaged_records() const;
+
+  /// With kResume throws StoreError, naming what differs, when the earlier run was of another case.
   /// Keeps a view of `mesh` until `finish` or `stop`.
   void begin(const Case& data, const mesh::Q8Mesh& mesh) override;
   void modes(const plate::DryModes& modes, const mesh::Q8Mesh& mesh) override;

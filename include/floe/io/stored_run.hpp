@@ -17,8 +17,9 @@ class StoredRun {
   explicit StoredRun(std::filesystem::path directory);
 
   const std::filesystem::path& directory() const { return directory_; }
-  const Case& data() const { return data_; }              ///< Case::seas is empty
-  const std::string& case_text() const { return text_; }  ///< as the user wrote it
+  const Case& data() const { return data_; }                      ///< Case::seas is empty
+  const std::string& case_text() const { return text_; }          ///< as the user wrote it
+  const std::string& manifest_text() const { return manifest_; }  ///< records/manifest.json
   const std::string& status() const { return status_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
   const std::vector<StageTime>& stages() const { return stages_; }
@@ -43,7 +44,7 @@ class StoredRun {
 
   std::filesystem::path directory_;
   Case data_;
-  std::string text_, status_;
+  std::string text_, status_, manifest_;
   std::vector<std::string> warnings_, sea_names_, sea_descriptions_;
   std::vector<StageTime> stages_;
 };
