@@ -33,7 +33,8 @@ Examples:
   floe mesh rectangle --length 300 --width 60 --nx 50 --ny 10 -o plate.msh
 
 Exit codes: 0 done, 2 command line, 3 case file, 4 mesh, 5 sea states, 6 memory, 7 files, 8 not converged,
-  9 results there already, 10 folder in use, 130/143 stopped by a signal, 1 a fault of floe.)";
+  9 results there already, 10 folder in use, 75 stopped by --max-time,
+  130/143 by a signal, 1 a fault of floe.)";
 
 // "16G" in bytes; K, M, G, T are powers of 1024
 double parse_bytes(const std::string& text) {
@@ -56,13 +57,32 @@ double parse_bytes(const std::string& text) {
   return value * factor;
 }
 
+// "2h" in seconds; s, m, h
+double parse_time(const std::string& text) {
+  const std::map<char, double> factors = {{'s', 1.0}, {'m', 60.0}, {'h', 3600.0}};
+  std::string digits = text;
+  double factor = 1.0;
+  if (!digits.empty() && factors.contains(digits.back())) {
+    factor = factors.at(digits.back());
+    digits.pop_back();
+  }
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value) ||
+      value <= 0.0)
+    throw UsageError(fmt::format(
+        "invalid --max-time = {} (must be a positive number of seconds, or like 90m or 12h)",
+        text));
+  return value * factor;
+}
+
 // What the parser fills in
 struct Choice {
   RunOptions run;
   RectangleMeshOptions rectangle;
   StatsOptions stats;
   ReportOptions report;
-  std::string memory;
+  std::string memory, max_time;
   std::function<void()> action;  // what the chosen command does
 };
 
@@ -110,6 +130,8 @@ void add_run(CLI::App& app, Choice& choice) {
       .add_flag("--resume", choice.run.resume,
                 "go on with an earlier run of the same case; what it finished is not solved again")
       ->excludes(fresh);
+  command.add_option("--max-time", choice.max_time, "stop cleanly after this time, like 12h")
+      ->type_name("TIME");
   command
       .add_option_function<std::string>(
           "--progress",
@@ -202,8 +224,7 @@ void refuse_later_words(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     const std::string word = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
     if (word == "--") return;
-    for (const char* later : {"--max-time", "--shard"})
-      if (word == later) refuse(word);
+    if (word == "--shard") refuse(word);
   }
 }
 
@@ -229,6 +250,7 @@ int parse_and_run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     throw UsageError(explain(error, app));
   }
+  if (!choice.max_time.empty()) choice.run.max_time = parse_time(choice.max_time);
   if (!choice.memory.empty()) choice.run.memory = parse_bytes(choice.memory);
   choice.action();
   return kDone;

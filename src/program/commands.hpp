@@ -13,6 +13,7 @@ struct RunOptions {
   std::filesystem::path output;  ///< empty: the case's name + ".out" in the working directory
   int threads = 0;               ///< 0: as many as the process may use
   double memory = 0.0;           ///< [byte]; 0: what the machine allows
+  double max_time = 0.0;         ///< [s]; 0: no limit
   bool fresh = false;
   bool resume = false;  ///< go on with an earlier run of the same case
   bool allow_coarse = false;

@@ -18,6 +18,7 @@ enum ExitCode : int {
   kConvergence = 8,
   kStore = 9,
   kBusy = 10,
+  kTimeUp = 75,
   kSignal = 128  ///< plus the signal's number
 };
 

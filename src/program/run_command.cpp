@@ -155,6 +155,7 @@ Case read_case_for(const RunOptions& options, Account& account) {
 void run_case(const RunOptions& options) {
   // Read the case and claim the output directory before anything is computed
   const auto start = std::chrono::steady_clock::now();
+  if (options.max_time > 0.0) limit_time(options.max_time);
   Account account(options.progress);
   const Case data = read_case_for(options, account);
   use_threads(options.threads, account);

@@ -4,9 +4,11 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <ctime>
 #include <initializer_list>
+#include <optional>
 
 namespace floe::program {
 namespace {
@@ -14,6 +16,7 @@ namespace {
 // NOTE: a signal handler can reach nothing but a variable of static storage
 volatile std::sig_atomic_t asked_to_stop = 0;
 timespec asked_at{};
+std::optional<std::chrono::steady_clock::time_point> deadline;  // set once, before any work
 
 // A signal to the process and then to its group, as `timeout` sends, is one wish
 extern "C" void ask_to_stop(int signal) {
@@ -48,8 +51,15 @@ void prepare_process() {
   for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
 }
 
+void limit_time(double seconds) {
+  deadline = std::chrono::steady_clock::now() +
+             std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                 std::chrono::duration<double>(seconds));
+}
+
 void stop_if_asked() {
   if (asked_to_stop != 0) throw Interrupted{asked_to_stop};
+  if (deadline && std::chrono::steady_clock::now() > *deadline) throw TimeUp{};
 }
 
 }  // namespace floe::program

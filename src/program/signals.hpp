@@ -7,13 +7,19 @@ struct Interrupted {
   int signal = 0;
 };
 
+/// Thrown where a run can stop cleanly after --max-time.
+struct TimeUp {};
+
 /// From here on SIGINT and SIGTERM ask for a clean stop; a second one leaves at once
 /// (within 0.2 s it counts as the same). SIGPIPE and
 /// SIGXFSZ are ignored, so that writing reports the error. Standard streams that are closed are
 /// opened on /dev/null, so that no result file takes their number.
 void prepare_process();
 
-/// Throws Interrupted when a stop was asked for.
+/// From here on `seconds` are left; later calls to stop_if_asked throw TimeUp.
+void limit_time(double seconds);
+
+/// Throws Interrupted when a stop was asked for, TimeUp when the time is over.
 void stop_if_asked();
 
 }  // namespace floe::program

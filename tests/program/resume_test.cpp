@@ -97,6 +97,20 @@ TEST(Resume, AfterAKillAtAnyInstantGivesTheSameBytes) {
   EXPECT_GT(killed, 5);
 }
 
+TEST(Resume, GoesOnAfterMaxTime) {
+  const TestFolder folder;
+  folder.write("case.toml", sweep(400));
+  ASSERT_EQ(run_floe(folder, "run case.toml --allow-coarse -o whole").code, 0);
+  const std::string run = "run case.toml --allow-coarse -o parts --resume";
+  const ProgramResult first = run_floe(folder, run + " --max-time 0.3s");
+  EXPECT_EQ(first.code, 75) << first.error;
+  EXPECT_THAT(first.error, HasSubstr("stopped by --max-time (give --resume to go on)"));
+  const auto account = nlohmann::json::parse(folder.read("parts/run.json"));
+  EXPECT_THAT(account.at("status").get<std::string>(), HasSubstr("stopped by --max-time"));
+  EXPECT_EQ(run_floe(folder, run).code, 0);
+  expect_same_products(folder, "whole", "parts");
+}
+
 TEST(Resume, OfAFinishedRunSolvesNothing) {
   const TestFolder folder;
   folder.write("case.toml", sweep(3));
