@@ -1,6 +1,7 @@
 #include "bem/far_rules.hpp"
 #include "bem/near_rules.hpp"
 #include "bem/quadrature_points.hpp"
+#include "bem/singular_functions.hpp"
 
 #include <floe/bem/element_integrals.hpp>
 #include <floe/numeric/error.hpp>
@@ -12,11 +13,37 @@ namespace {
 
 constexpr int kBatchPoints = 512;  // distances evaluated at once: 12 kB, stays in the L1 cache
 
+// What is integrated against the shape functions: kValues complex numbers a distance
+struct GreenKernel {
+  static constexpr int kValues = 1;
+  const green::GreenTable& green;
+
+  void evaluate(std::span<const double> distance, Complex* value) const {
+    green.evaluate(distance, {value, distance.size()});
+  }
+  double wavenumber() const { return green.exact().wavenumber(); }
+  double smallest_scale() const { return std::min(green.exact().depth(), 1.0 / wavenumber()); }
+};
+
+struct SingularKernel {
+  static constexpr int kValues = SingularFunctions::kCount / 2;
+
+  void evaluate(std::span<const double> distance, Complex* value) const {
+    SingularFunctions::evaluate(distance, value);
+  }
+  double wavenumber() const { return 0.0; }
+  double smallest_scale() const { return std::numeric_limits<double>::infinity(); }
+};
+
+template <class Kernel>
+using Sums = std::array<Complex, 8 * Kernel::kValues>;
+
 // Far elements of one tier that wait for their kernel values
+template <class Kernel>
 class Batch {
  public:
-  Batch(const Point2& target, const green::GreenTable& green, const FarRules& rules, int tier)
-      : target_(target), green_(green), rules_(rules), tier_(tier) {}
+  Batch(const Point2& target, const Kernel& kernel, const FarRules& rules, int tier)
+      : target_(target), kernel_(kernel), rules_(rules), tier_(tier) {}
 
   // `slot` is what `sink` is told with the sum
   void add(Index slot, Index element) {
@@ -31,11 +58,14 @@ class Batch {
   void flush(const Sink& sink) {
     const std::size_t size = FarRules::size(tier_), points = count_ * size;
     fill_distances(target_, x_.data(), y_.data(), points, distance_.data());
-    green_.evaluate({distance_.data(), points}, {value_.data(), points});
-    scale_values(area_.data(), points, value_.data());
+    kernel_.evaluate({distance_.data(), points}, value_.data());
+    for (int plane = 0; plane < Kernel::kValues; ++plane)
+      scale_values(area_.data(), points, value_.data() + plane * points);
     for (int i = 0; i < count_; ++i) {
-      std::array<Complex, 8> sum;
-      sum_weighted(rules_.shape(tier_), value_.data() + i * size, size, sum.data());
+      Sums<Kernel> sum;
+      for (int plane = 0; plane < Kernel::kValues; ++plane)
+        sum_weighted(rules_.shape(tier_), value_.data() + plane * points + i * size, size,
+                     sum.data() + 8 * plane);
       sink(slots_[i], sum);
     }
     count_ = 0;
@@ -43,24 +73,25 @@ class Batch {
 
  private:
   const Point2& target_;
-  const green::GreenTable& green_;
+  const Kernel& kernel_;
   const FarRules& rules_;
   int tier_;
   int count_ = 0;
   std::array<Index, kBatchPoints> slots_;
   std::array<double, kBatchPoints> x_, y_, area_, distance_;
-  std::array<Complex, kBatchPoints> value_;
+  std::array<Complex, Kernel::kValues * kBatchPoints> value_;
 };
 
 // What a target needs: the rules, and scratch
+template <class Kernel>
 class TargetIntegrals {
  public:
   TargetIntegrals(const mesh::Q8Mesh& mesh, const FarRules& rules, const Point2& target,
-                  std::span<const mesh::ElementPoint> holders, const green::GreenTable& green)
-      : mesh_(mesh), rules_(rules), target_(target), holders_(holders), green_(green) {
+                  std::span<const mesh::ElementPoint> holders, const Kernel& kernel)
+      : mesh_(mesh), rules_(rules), target_(target), holders_(holders), kernel_(kernel) {
     batches_.reserve(FarRules::kTiers);
     for (int tier = 0; tier < FarRules::kTiers; ++tier)
-      batches_.emplace_back(target_, green_, rules_, tier);
+      batches_.emplace_back(target_, kernel_, rules_, tier);
   }
 
   // Integrates element(k) for k = 0 … count - 1 and calls sink(k, its eight integrals), in an order
@@ -82,7 +113,7 @@ class TargetIntegrals {
       batches_[tier].add(k, element);
       if (batches_[tier].full()) batches_[tier].flush(sink);
     }
-    for (Batch& batch : batches_) batch.flush(sink);
+    for (Batch<Kernel>& batch : batches_) batch.flush(sink);
   }
 
  private:
@@ -90,8 +121,8 @@ class TargetIntegrals {
   bool add_singular(Index element) {
     for (const mesh::ElementPoint& holder : holders_)
       if (holder.element == element) {
-        add_singular_points(mesh_.element_nodes(element), holder.xi, holder.eta, wavenumber_,
-                            green_.exact().depth(), rules_.singular_order(), points_);
+        add_singular_points(mesh_.element_nodes(element), holder.xi, holder.eta,
+                            kernel_.smallest_scale(), rules_.singular_order(), points_);
         return true;
       }
     return false;
@@ -105,10 +136,16 @@ class TargetIntegrals {
                     rules_.tier_for_wave(wavenumber_, half_edge));
   }
 
-  std::array<Complex, 8> sum_points(Index element) {
+  Sums<Kernel> sum_points(Index element) {
     points_.map(mesh_.element_nodes(element));
-    std::array<Complex, 8> sum;
-    sum_kernel(target_, points_, green_, buffer_, sum.data());
+    const std::size_t count = points_.count();
+    distance_.resize(count);
+    value_.resize(Kernel::kValues * count);
+    fill_distances(target_, points_.x.data(), points_.y.data(), count, distance_.data());
+    kernel_.evaluate(distance_, value_.data());
+    Sums<Kernel> sum;
+    for (int plane = 0; plane < Kernel::kValues; ++plane)
+      points_.sum(value_.data() + plane * count, sum.data() + 8 * plane);
     points_.clear();
     return sum;
   }
@@ -117,11 +154,12 @@ class TargetIntegrals {
   const FarRules& rules_;
   Point2 target_;
   std::span<const mesh::ElementPoint> holders_;
-  const green::GreenTable& green_;
-  double wavenumber_ = green_.exact().wavenumber();
+  const Kernel& kernel_;
+  double wavenumber_ = kernel_.wavenumber();
   QuadraturePoints points_;
-  KernelBuffer buffer_;
-  std::vector<Batch> batches_;
+  std::vector<double> distance_;
+  std::vector<Complex> value_;
+  std::vector<Batch<Kernel>> batches_;
 };
 
 }  // namespace
@@ -153,10 +191,22 @@ void ElementIntegrals::node_elements(Index node, std::span<const Index> elements
                                      std::span<std::array<Complex, 8>> integrals) const {
   FLOE_EXPECT(elements.size() == integrals.size());
   const std::vector<mesh::ElementPoint> holders = holders_of(node);
-  TargetIntegrals target(mesh_, *far_, mesh_.nodes().col(node), holders, green);
+  const GreenKernel kernel{green};
+  TargetIntegrals target(mesh_, *far_, mesh_.nodes().col(node), holders, kernel);
   target.integrate(
       static_cast<Index>(elements.size()), [&](Index k) { return elements[k]; },
       [&](Index k, const std::array<Complex, 8>& sum) { integrals[k] = sum; });
+}
+
+void ElementIntegrals::node_singular_elements(Index node, std::span<const Index> elements,
+                                              std::span<std::array<Complex, 16>> integrals) const {
+  FLOE_EXPECT(elements.size() == integrals.size());
+  const std::vector<mesh::ElementPoint> holders = holders_of(node);
+  const SingularKernel kernel;
+  TargetIntegrals target(mesh_, *far_, mesh_.nodes().col(node), holders, kernel);
+  target.integrate(
+      static_cast<Index>(elements.size()), [&](Index k) { return elements[k]; },
+      [&](Index k, const std::array<Complex, 16>& sum) { integrals[k] = sum; });
 }
 
 void ElementIntegrals::point_row(const Point2& point, const green::GreenTable& green,
@@ -175,7 +225,8 @@ void ElementIntegrals::fill_row(const Point2& target, std::span<const mesh::Elem
                                 const green::GreenTable& green, Eigen::Ref<VecXcd> row) const {
   FLOE_EXPECT(row.size() == mesh_.node_count());
   row.setZero();
-  TargetIntegrals(mesh_, *far_, target, holders, green)
+  const GreenKernel kernel{green};
+  TargetIntegrals(mesh_, *far_, target, holders, kernel)
       .integrate(
           mesh_.element_count(), [](Index k) { return k; },
           [&](Index element, const std::array<Complex, 8>& sum) {

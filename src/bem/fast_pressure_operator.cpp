@@ -1,5 +1,4 @@
 #include "bem/near_matrix.hpp"
-#include "bem/near_pattern.hpp"
 #include "bem/source_choice.hpp"
 #include "bem/source_rule.hpp"
 
@@ -49,6 +48,7 @@ struct FastPressurePlan::Parts {
   std::shared_ptr<const fmm::PfftPlan> pfft;
   std::shared_ptr<const fmm::MultipolePlan> multipole;
   std::optional<NearPattern> pattern;
+  std::optional<NearMoments> moments;
 };
 
 FastPressurePlan::Parts::Parts(const mesh::Q8Mesh& mesh_in, const FastOptions& options)
@@ -68,6 +68,8 @@ FastPressurePlan::Parts::Parts(const mesh::Q8Mesh& mesh_in, const FastOptions& o
         fmm::MultipoleOptions{.leaf_size = kLeafPoints[rule.at_nodes() ? 0 : 1]});
   pattern.emplace(mesh, rule, choice.near_radius,
                   [this](Index target) { return near_sources(target); });
+  moments.emplace(*pattern, integrals, rule, options.tolerance, options.max_wavenumber,
+                  options.tolerance >= kFloatTolerance);
 }
 
 FastPressurePlan::FastPressurePlan(const mesh::Q8Mesh& mesh, const FastOptions& options)
@@ -85,7 +87,7 @@ double FastPressurePlan::reach() const {
 }
 
 double FastPressurePlan::memory() const {
-  double bytes = parts_->rule.memory() + parts_->pattern->memory() +
+  double bytes = parts_->rule.memory() + parts_->pattern->memory() + parts_->moments->memory() +
                  1200.0 * static_cast<double>(parts_->mesh.element_count());
   if (parts_->pfft) bytes += parts_->pfft->memory();
   if (parts_->multipole) bytes += parts_->multipole->memory();
@@ -116,12 +118,12 @@ FastPressureOperator::FastPressureOperator(std::shared_ptr<const FastPressurePla
                                                      fmm::NearSums::kEvaluated);
   else
     state->sum = std::make_unique<fmm::DirectSum>(parts.rule.points(), parts.mesh.nodes(), green);
+  const NearSetup setup{*parts.pattern, *parts.moments, parts.integrals,
+                        parts.rule,     *state->sum,    green};
   if (options.tolerance >= kFloatTolerance)
-    state->near.emplace<NearMatrix<float>>(*parts.pattern, parts.integrals, parts.rule, *state->sum,
-                                           green);
+    state->near.emplace<NearMatrix<float>>(setup, options.tolerance);
   else
-    state->near.emplace<NearMatrix<double>>(*parts.pattern, parts.integrals, parts.rule,
-                                            *state->sum, green);
+    state->near.emplace<NearMatrix<double>>(setup, options.tolerance);
   state_ = std::move(state);
 }
 

@@ -11,41 +11,44 @@
 namespace floe::bem {
 namespace {
 
-using Integrals = std::vector<std::array<Complex, 8>>;
+constexpr Index kSampledRows = 32;
+constexpr double kShare = 1.0 / 3.0;  // of the tolerance
 
-// The exact integrals of one pair of each kind
-Integrals integrate_kinds(const NearPattern& pattern, const ElementIntegrals& integrals,
-                          const green::GreenTable& green) {
-  const auto& kinds = pattern.kinds();
-  Integrals exact(kinds.size());
-#pragma omp parallel for schedule(dynamic, 8)
-  for (std::size_t k = 0; k < kinds.size(); ++k) {
-    const Index element = kinds[k].element;
-    integrals.node_elements(kinds[k].node, {&element, 1}, green, {&exact[k], 1});
+// Root mean square difference of the two ways, over that of the integrals over close elements
+bool moments_do(const NearSetup& setup, double tolerance) {
+  const NearPattern& pattern = setup.pattern;
+  NearRow by_moments(setup), exact(setup);
+  double error = 0.0, norm = 0.0;
+  const Index samples = std::min(kSampledRows, pattern.rows());
+  for (Index s = 0; s < samples; ++s) {
+    const Index row = (2 * s + 1) * pattern.rows() / (2 * samples);
+    const Index block = row / NearPattern::kBlockRows;
+    const auto& value = by_moments.from_moments(block, row);
+    const auto& expected = exact.integrated(block, row);
+    for (std::size_t k = 0; k < value.size(); ++k) error += std::norm(value[k] - expected[k]);
+    norm += exact.squared_integrals();
   }
-  return exact;
+  return error <= std::pow(kShare * tolerance, 2) * norm;
 }
 
 }  // namespace
 
 template <class Real>
-NearMatrix<Real>::NearMatrix(const NearPattern& pattern, const ElementIntegrals& integrals,
-                             const SourceRule& rule, const fmm::KernelSum& sum,
-                             const green::GreenTable& green)
-    : value_(2 * pattern.entry_count()) {
-  // Where pairs are equal they are integrated once; else row by row, many at a time
-  const bool shared = 2 * pattern.kinds().size() < pattern.pair_count();
-  const Integrals exact = shared ? integrate_kinds(pattern, integrals, green) : Integrals();
+NearMatrix<Real>::NearMatrix(const NearSetup& setup, double tolerance)
+    : value_(2 * setup.pattern.entry_count()) {
+  const NearPattern& pattern = setup.pattern;
+  const bool by_moments = moments_do(setup, tolerance);
   bool finite = true;
 #pragma omp parallel reduction(&& : finite)
   {
-    NearRow row(pattern, integrals, rule, sum, green);
+    NearRow row(setup);
 #pragma omp for schedule(dynamic, 4)
     for (Index block = 0; block < pattern.blocks(); ++block) {
       const Index first = block * NearPattern::kBlockRows;
       const Index last = std::min(pattern.rows(), first + NearPattern::kBlockRows);
       for (Index i = first; i < last; ++i) {
-        const std::vector<Complex>& values = row.values(block, i, exact);
+        const std::vector<Complex>& values =
+            by_moments ? row.from_moments(block, i) : row.integrated(block, i);
         Real* const at = value_.data() + 2 * pattern.entry_begin(i);
         for (std::size_t k = 0; k < values.size(); ++k) {
           finite = finite && std::isfinite(values[k].real()) && std::isfinite(values[k].imag());
@@ -55,8 +58,9 @@ NearMatrix<Real>::NearMatrix(const NearPattern& pattern, const ElementIntegrals&
       }
     }
   }
-  FLOE_VALIDATE_AS(ConvergenceError, finite,
-                   "near field has an entry that is not finite at nu = " << green.exact().nu());
+  FLOE_VALIDATE_AS(
+      ConvergenceError, finite,
+      "near field has an entry that is not finite at nu = " << setup.green.exact().nu());
 }
 
 template <class Real>

@@ -1,13 +1,7 @@
 #pragma once
 
-#include "bem/near_pattern.hpp"
-#include "bem/source_rule.hpp"
+#include "bem/near_rows.hpp"
 
-#include <floe/bem/element_integrals.hpp>
-#include <floe/fmm/kernel_sum.hpp>
-#include <floe/green/green_table.hpp>
-
-#include <memory>
 #include <vector>
 
 namespace floe::bem {
@@ -17,9 +11,10 @@ namespace floe::bem {
 template <class Real>
 class NearMatrix {
  public:
-  /// Assembled in parallel, same bits for any number of threads; equal pairs are integrated once.
-  NearMatrix(const NearPattern& pattern, const ElementIntegrals& integrals, const SourceRule& rule,
-             const fmm::KernelSum& sum, const green::GreenTable& green);
+  /// Assembled in parallel, same bits for any number of threads. By moments where these, in sampled
+  /// rows, agree with the integrals to a third of `tolerance`; else every element is integrated,
+  /// which is slower: water much shallower than an element is long, a few elements a wavelength.
+  NearMatrix(const NearSetup& setup, double tolerance);
 
   /// y(targets) += scale · C x, all columns. The pattern is the one that it was made with.
   void multiply_add(const NearPattern& pattern, const Eigen::Ref<const MatXcd>& x, double scale,

@@ -68,8 +68,10 @@ void NearPattern::find_pairs(const mesh::Q8Mesh& mesh, const SourceRule& rule, d
   const mesh::BoxTree tree(boxes);
   target_.assign(tree.order().begin(), tree.order().end());
 
-  // Join what is near by distance and what is near for the engine
+  // Take what is close, then what is near for the engine besides
   std::vector<std::vector<std::int32_t>> near = elements_within(mesh, tree, radius);
+  std::vector<std::int32_t> close(count);
+  for (Index i = 0; i < count; ++i) close[i] = static_cast<std::int32_t>(near[i].size());
   const auto owners =
       rule.at_nodes() ? owners_of_nodes(mesh) : std::vector<std::vector<std::int32_t>>();
 #pragma omp parallel
@@ -87,51 +89,59 @@ void NearPattern::find_pairs(const mesh::Q8Mesh& mesh, const SourceRule& rule, d
         else
           add(static_cast<std::int32_t>(source / rule.points_per_element()));
       }
-      std::sort(near[i].begin(), near[i].end());
+      std::sort(near[i].begin(), near[i].begin() + close[i]);
+      std::sort(near[i].begin() + close[i], near[i].end());
     }
   }
 
   pair_begin_.assign(count + 1, 0);
   for (Index row = 0; row < count; ++row)
     pair_begin_[row + 1] = pair_begin_[row] + near[target_[row]].size();
+  close_pairs_.resize(count);
+  for (Index row = 0; row < count; ++row) close_pairs_[row] = close[target_[row]];
   pair_element_.reserve(pair_begin_.back());
   for (Index row = 0; row < count; ++row)
     pair_element_.insert(pair_element_.end(), near[target_[row]].begin(), near[target_[row]].end());
 }
 
 void NearPattern::number_kinds(const mesh::Q8Mesh& mesh) {
-  const ElementClasses classes(mesh);
-  pair_kind_.resize(pair_count());
   // Where hardly two elements are equal, looking for equal pairs costs more than it saves
-  const bool search = 4 * classes.count() < mesh.element_count();
+  const ElementClasses classes(mesh);
+  if (4 * classes.count() >= mesh.element_count()) return;
+  pair_kind_.resize(pair_element_.size());
   std::unordered_map<PairKey, std::int32_t, PairKeyHash> known;
   for (Index row = 0; row < rows(); ++row)
-    for (std::size_t k = pair_begin_[row]; k < pair_begin_[row + 1]; ++k) {
+    for (std::size_t k = pair_begin_[row]; k < pair_begin_[row] + close_pairs_[row]; ++k) {
       const auto next = static_cast<std::int32_t>(kinds_.size());
-      const std::int32_t kind =
-          search
-              ? known.try_emplace(classes.key(target_[row], pair_element_[k]), next).first->second
-              : next;
-      if (kind == next) kinds_.push_back({target_[row], pair_element_[k]});
-      pair_kind_[k] = kind;
+      pair_kind_[k] =
+          known.try_emplace(classes.key(target_[row], pair_element_[k]), next).first->second;
+      if (pair_kind_[k] == next) kinds_.push_back({target_[row], pair_element_[k]});
     }
 }
 
 void NearPattern::number_entries(const mesh::Q8Mesh& mesh) {
-  // Collect the columns of each row, then of each block
+  // Collect the columns of each row, those of close elements first, then of each block
   std::vector<std::vector<std::int32_t>> row_columns(rows());
+  close_entries_.resize(rows());
 #pragma omp parallel
   {
     std::vector<Index> found_for(mesh.node_count(), -1);
 #pragma omp for schedule(dynamic, 64)
     for (Index row = 0; row < rows(); ++row) {
-      for (std::size_t k = pair_begin_[row]; k < pair_begin_[row + 1]; ++k)
-        for (int m = 0; m < 8; ++m) {
-          const Index node = mesh.elements()(m, pair_element_[k]);
-          if (std::exchange(found_for[node], row) != row)
-            row_columns[row].push_back(static_cast<std::int32_t>(node));
-        }
-      std::sort(row_columns[row].begin(), row_columns[row].end());
+      std::vector<std::int32_t>& columns = row_columns[row];
+      const auto add = [&](std::span<const std::int32_t> elements) {
+        const std::size_t before = columns.size();
+        for (const std::int32_t element : elements)
+          for (int m = 0; m < 8; ++m) {
+            const Index node = mesh.elements()(m, element);
+            if (std::exchange(found_for[node], row) != row)
+              columns.push_back(static_cast<std::int32_t>(node));
+          }
+        std::sort(columns.begin() + static_cast<std::ptrdiff_t>(before), columns.end());
+      };
+      add(close_elements(row));
+      close_entries_[row] = static_cast<std::int32_t>(columns.size());
+      add(near_elements(row).subspan(close_pairs_[row]));
     }
   }
   entry_begin_.assign(rows() + 1, 0);
@@ -160,9 +170,18 @@ void NearPattern::number_entries(const mesh::Q8Mesh& mesh) {
   }
 }
 
+void NearPattern::place_entries(Index block, Index row,
+                                std::vector<std::int32_t>& entry_of_node) const {
+  const auto nodes = columns(block);
+  const std::size_t begin = entry_begin(row), end = entry_begin(row + 1);
+  for (std::size_t k = begin; k < end; ++k)
+    entry_of_node[nodes[entry_column_[k]]] = static_cast<std::int32_t>(k - begin);
+}
+
 double NearPattern::memory() const {
-  return 4.0 * static_cast<double>(target_.size() + pair_element_.size() + pair_kind_.size() +
-                                   columns_.size() + 2 * kinds_.size()) +
+  return 4.0 * static_cast<double>(close_pairs_.size() + close_entries_.size() + target_.size() +
+                                   pair_element_.size() + pair_kind_.size() + columns_.size() +
+                                   2 * kinds_.size()) +
          8.0 *
              static_cast<double>(pair_begin_.size() + entry_begin_.size() + column_begin_.size()) +
          2.0 * static_cast<double>(entry_column_.size());

@@ -12,11 +12,13 @@
 namespace floe::bem {
 
 /// Which (target node, element) pairs are near, and where their integrals go in the near matrix C
-/// of (F.2). Near is an element whose centre is closer than `radius` of its longest edges, and one
-/// of which a source point is near for the engine: C holds whole elements. Frequency-independent.
+/// of (F.2). Close is an element whose centre is nearer than `radius` of its longest edges: it is
+/// integrated exactly. Near is a close one, and one of which a source point is near for the engine:
+/// C holds whole elements. Frequency-independent.
 ///
 /// Rows are targets along a Z-curve, in blocks of kBlockRows; the columns of a block are collected
-/// once, and its entries have 16-bit numbers into that list.
+/// once, and its entries have 16-bit numbers into that list. Of a row's entries, those of close
+/// elements come first.
 class NearPattern {
  public:
   static constexpr Index kBlockRows = 16;
@@ -30,7 +32,6 @@ class NearPattern {
   Index blocks() const { return (rows() + kBlockRows - 1) / kBlockRows; }
   Index target(Index row) const { return target_[row]; }
   std::size_t entry_count() const { return entry_column_.size(); }
-  std::size_t pair_count() const { return pair_element_.size(); }
 
   /// Nodes that the rows of a block refer to.
   std::span<const std::int32_t> columns(Index block) const {
@@ -41,13 +42,28 @@ class NearPattern {
   std::size_t entry_begin(Index row) const { return entry_begin_[row]; }
   const std::uint16_t* entry_column() const { return entry_column_.data(); }
 
-  /// Near elements of a row, and for each the number of its equal pair: pairs with the same number
-  /// have the same integrals.
-  std::size_t pair_begin(Index row) const { return pair_begin_[row]; }
-  const std::int32_t* pair_element() const { return pair_element_.data(); }
-  const std::int32_t* pair_kind() const { return pair_kind_.data(); }
+  /// entry_of_node[n] = number of node n's entry in the row, from 0, for the nodes that it has.
+  void place_entries(Index block, Index row, std::vector<std::int32_t>& entry_of_node) const;
 
-  /// One pair (node, element) of each kind.
+  /// Entries of a row that close elements have.
+  Index close_entries(Index row) const { return close_entries_[row]; }
+
+  /// Near elements of a row: the close ones first.
+  std::span<const std::int32_t> near_elements(Index row) const {
+    return {pair_element_.data() + pair_begin_[row], pair_begin_[row + 1] - pair_begin_[row]};
+  }
+  std::span<const std::int32_t> close_elements(Index row) const {
+    return near_elements(row).first(close_pairs_[row]);
+  }
+
+  /// For each close element the number of its equal pair: pairs with the same number have the same
+  /// integrals. Empty where `kinds()` is.
+  std::span<const std::int32_t> close_kinds(Index row) const {
+    if (kinds_.empty()) return {};
+    return {pair_kind_.data() + pair_begin_[row], static_cast<std::size_t>(close_pairs_[row])};
+  }
+
+  /// One pair (node, element) of each kind; empty where hardly two pairs are equal.
   struct Pair {
     std::int32_t node, element;
   };
@@ -63,7 +79,7 @@ class NearPattern {
 
   std::vector<std::int32_t> target_;
   std::vector<std::size_t> pair_begin_, entry_begin_, column_begin_;
-  std::vector<std::int32_t> pair_element_, pair_kind_, columns_;
+  std::vector<std::int32_t> pair_element_, pair_kind_, columns_, close_pairs_, close_entries_;
   std::vector<std::uint16_t> entry_column_;
   std::vector<Pair> kinds_;
 };

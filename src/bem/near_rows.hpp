@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem/near_moments.hpp"
 #include "bem/near_pattern.hpp"
 #include "bem/source_rule.hpp"
 
@@ -12,37 +13,47 @@
 
 namespace floe::bem {
 
-/// Computes one row of the near matrix after the other; the scratch of one thread. Keeps views of
-/// all that it is given.
+/// All that the near matrix is made from; views.
+struct NearSetup {
+  const NearPattern& pattern;
+  const NearMoments& moments;
+  const ElementIntegrals& integrals;
+  const SourceRule& rule;
+  const fmm::KernelSum& sum;
+  const green::GreenTable& green;
+};
+
+/// Computes rows of the near matrix in two ways; the scratch of one thread.
 class NearRow {
  public:
-  NearRow(const NearPattern& pattern, const ElementIntegrals& integrals, const SourceRule& rule,
-          const fmm::KernelSum& sum, const green::GreenTable& green);
+  explicit NearRow(const NearSetup& setup);
 
-  /// The entries of row `row`, which lies in `block`. `exact` has the integrals of each kind of
-  /// pair, or is empty: then they are computed.
-  const std::vector<Complex>& values(Index block, Index row,
-                                     const std::vector<std::array<Complex, 8>>& exact);
+  /// The entries of row `row`, which lies in `block`, by the moments (F.23).
+  const std::vector<Complex>& from_moments(Index block, Index row);
+
+  /// The same with every close element integrated anew: tens of times slower.
+  const std::vector<Complex>& integrated(Index block, Index row);
+
+  /// Sum of |∫ G N dS|² over close elements of the row that was integrated last.
+  double squared_integrals() const;
 
  private:
-  void place_columns(Index block, Index row);
-  void add_exact(Index row, const std::vector<std::array<Complex, 8>>& exact);
-  void subtract_sources(Index row);
-  void evaluate_sources(Index target);
+  void start(Index block, Index row);
+  void add_rest_at_zero(Index row);
+  void add_integrals(Index row);
+  void add_near_sources(Index row);
+  void add_points(Index element);
 
-  const NearPattern& pattern_;
-  const ElementIntegrals& integrals_;
-  const SourceRule& rule_;
-  const fmm::KernelSum& sum_;
-  const green::GreenTable& green_;
+  const NearSetup& setup_;
+  std::array<double, SingularFunctions::kCount> coefficient_;
+  Complex rest_at_zero_;
   std::vector<std::int32_t> entry_of_node_;  // valid for the nodes of the present row
-  std::vector<std::int32_t> near_mark_;      // target + 1 for which a source is near the engine
   std::vector<Complex> values_;
+  std::vector<Complex> source_value_;  // of each source, zero between two uses
   std::vector<std::array<Complex, 8>> integral_;
-  std::vector<Index> elements_, points_, near_points_;
-  std::vector<std::size_t> near_slot_, far_slot_;
-  std::vector<double> distance_, weight_;
-  std::vector<Complex> point_value_, near_value_, far_value_;
+  std::vector<Index> elements_;
+  std::vector<double> distance_;
+  std::vector<Complex> point_value_, far_value_, kernel_value_;
 };
 
 }  // namespace floe::bem

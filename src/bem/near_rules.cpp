@@ -146,14 +146,13 @@ void add_near_points(const Point2& target, const ElementNodes& nodes, double wav
   add_cell(target, nodes, {Point2(0.0, 0.0), Point2(1.0, 1.0)}, wavenumber, rules, 0, points);
 }
 
-void add_singular_points(const ElementNodes& nodes, double xi, double eta, double wavenumber,
-                         double depth, int order, QuadraturePoints& points) {
+void add_singular_points(const ElementNodes& nodes, double xi, double eta, double smallest_scale,
+                         int order, QuadraturePoints& points) {
   const Point2 apex(xi, eta);
-  const double scale = std::min(depth, 1.0 / wavenumber);
   for (int side = 0; side < 4; ++side) {
     const Point2 first = mesh::q8_parametric_nodes().col(side) - apex;
     const Point2 second = mesh::q8_parametric_nodes().col((side + 1) % 4) - apex;
-    add_triangle(nodes, {apex, first, second}, scale, order, points);
+    add_triangle(nodes, {apex, first, second}, smallest_scale, order, points);
   }
 }
 

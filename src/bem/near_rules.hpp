@@ -15,9 +15,9 @@ void add_near_points(const Point2& target, const ElementNodes& nodes, double wav
 
 /// Adds the points of an element that holds its target at (ξ, η): triangles with their apex there,
 /// the radial coordinate as τ³ against t log t (B.5), the coordinate along the far edge by sinh
-/// against the peak of 1/R in stretched elements (B.6), radial panels that double from R = `depth`
-/// and from a radian of wave, where G changes its shape (B.7).
-void add_singular_points(const ElementNodes& nodes, double xi, double eta, double wavenumber,
-                         double depth, int order, QuadraturePoints& points);
+/// against the peak of 1/R in stretched elements (B.6), radial panels that double from R =
+/// `smallest_scale`, the depth or a radian of wave, where G changes its shape (B.7).
+void add_singular_points(const ElementNodes& nodes, double xi, double eta, double smallest_scale,
+                         int order, QuadraturePoints& points);
 
 }  // namespace floe::bem

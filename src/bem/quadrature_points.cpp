@@ -97,16 +97,10 @@ FLOE_SIMD_CLONES void sum_weighted(const double* weight, const Complex* value, s
   for (int m = 0; m < 8; ++m) sum[m] = Complex(real[m], imaginary[m]);
 }
 
-void sum_kernel(const Point2& target, const QuadraturePoints& points,
-                const green::GreenTable& green, KernelBuffer& buffer, Complex* sum) {
-  const std::size_t count = points.count();
-  buffer.distance.resize(count);
-  buffer.value.resize(count);
-  fill_distances(target, points.x.data(), points.y.data(), count, buffer.distance.data());
-  green.evaluate(buffer.distance, buffer.value);
-  scale_values(points.area.data(), count, buffer.value.data());
+void QuadraturePoints::sum(Complex* value, Complex* sum) const {
+  scale_values(area.data(), count(), value);
   Eigen::Matrix<Complex, 8, 1> moment;
-  sum_weighted(points.monomial.data(), buffer.value.data(), count, moment.data());
+  sum_weighted(monomial.data(), value, count(), moment.data());
   Eigen::Map<Eigen::Matrix<Complex, 8, 1>>(sum, 8) = shape_coefficients() * moment;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <floe/green/green_table.hpp>
 #include <floe/mesh/shape_functions.hpp>
 #include <floe/numeric/types.hpp>
 
@@ -30,18 +29,9 @@ struct QuadraturePoints {
   }
   /// Fills positions, areas and monomials in an element of these nodes.
   void map(const ElementNodes& nodes);
+  /// sum[m] = Σ_p area_p N_m(ξ_p, η_p) value[p], m = 0 … 7, of mapped points; scales the values.
+  void sum(Complex* value, Complex* sum) const;
 };
-
-/// Scratch of one thread.
-struct KernelBuffer {
-  std::vector<double> distance;
-  std::vector<Complex> value;
-};
-
-/// sum[m] = Σ_p area_p N_m(ξ_p, η_p) G(|target - (x_p, y_p)|), m = 0 … 7, of mapped points. All
-/// distances must be positive.
-void sum_kernel(const Point2& target, const QuadraturePoints& points,
-                const green::GreenTable& green, KernelBuffer& buffer, Complex* sum);
 
 /// value[p] *= factor[p].
 void scale_values(const double* factor, std::size_t count, Complex* value);

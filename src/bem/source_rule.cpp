@@ -1,6 +1,7 @@
 #include "bem/source_rule.hpp"
 
 #include "bem/far_rules.hpp"
+#include "bem/quadrature_points.hpp"
 
 #include <floe/mesh/shape_functions.hpp>
 
@@ -75,14 +76,13 @@ void SourceRule::place_at_gauss_points(const mesh::Q8Mesh& mesh, int order) {
   }
 }
 
-void SourceRule::fill_weights(Index element, double* weight) const {
+void SourceRule::collect(Index element, Complex* value, Complex* sum) const {
   if (at_nodes()) {
-    std::copy_n(element_mass_.col(element).data(), 64, weight);
+    sum_weighted(element_mass_.col(element).data(), value, 8, sum);
     return;
   }
-  for (int p = 0; p < per_element_; ++p)
-    for (int m = 0; m < 8; ++m)
-      weight[8 * p + m] = area_[per_element_ * element + p] * shape_[8 * p + m];
+  scale_values(area_.data() + per_element_ * element, per_element_, value);
+  sum_weighted(shape_.data(), value, per_element_, sum);
 }
 
 void SourceRule::spread(const Eigen::Ref<const MatXcd>& values, Eigen::Ref<MatXcd> charges) const {

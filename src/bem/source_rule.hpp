@@ -33,8 +33,9 @@ class SourceRule {
     return at_nodes() ? elements_(p, element) : per_element_ * element + p;
   }
 
-  /// weight[8p + m] = charge at point p of the element per unit of its local nodal value m [m²].
-  void fill_weights(Index element, double* weight) const;
+  /// sum[m] = Σ_p value[p] · charge at point p of the element per unit of its local nodal value m
+  /// [m²]: its row of K S for a kernel with these values. Changes the values.
+  void collect(Index element, Complex* value, Complex* sum) const;
 
   /// charges (points × columns) = S times nodal values (nodes × columns).
   void spread(const Eigen::Ref<const MatXcd>& values, Eigen::Ref<MatXcd> charges) const;

@@ -183,5 +183,33 @@ TEST(DensePressureOperator, HasTheSameBitsForAnyNumberOfThreads) {
   omp_set_num_threads(before);
 }
 
+TEST(reference_ElementIntegrals, SingularFunctionsOverASquareHaveTheirClosedForms) {
+  // Over the unit square as seen from a corner: ∫ 1/R = 2 asinh 1, ∫ log R = (log 2 - 3 + π/2)/2,
+  // ∫ R = (√2 + asinh 1)/3, ∫ R² log R by mpmath; ∫ x/R by mpmath
+  const mesh::Q8Mesh square = mesh::make_rectangle({.length = 1.0, .width = 1.0, .nx = 1, .ny = 1});
+  const ElementIntegrals integrals(square, {.tolerance = 1e-10});
+  Index corner = -1;
+  for (Index i = 0; i < square.node_count(); ++i)
+    if ((square.nodes().col(i) - square.lower()).norm() < 1e-12) corner = i;
+  ASSERT_GE(corner, 0);
+  std::array<Complex, 16> integral;
+  const Index element = 0;
+  integrals.node_singular_elements(corner, {&element, 1}, {&integral, 1});
+  Complex sum(0.0, 0.0), other(0.0, 0.0);
+  double x_over_r = 0.0;
+  for (int m = 0; m < 8; ++m) {
+    sum += integral[m];
+    other += integral[8 + m];
+    x_over_r +=
+        integral[m].real() * (square.nodes()(0, square.elements()(m, 0)) - square.lower().x());
+  }
+  const double asinh1 = std::asinh(1.0);
+  EXPECT_NEAR(sum.real(), 2.0 * asinh1, 1e-10);
+  EXPECT_NEAR(sum.imag(), 0.5 * (std::log(2.0) - 3.0 + 0.5 * std::numbers::pi), 1e-9);
+  EXPECT_NEAR(other.real(), (std::sqrt(2.0) + asinh1) / 3.0, 1e-10);
+  EXPECT_NEAR(other.imag(), -0.0627071075697506, 1e-9);
+  EXPECT_NEAR(x_over_r, 0.647793574696319, 1e-10);
+}
+
 }  // namespace
 }  // namespace floe::bem

@@ -92,6 +92,15 @@ TEST(twin_FastPressureOperator, EqualsTheDenseOperatorAtEveryDepth) {
     expect_agreement("ring", read("ring.msh"), depth, {1e-4, 1e-6});
 }
 
+TEST(twin_FastPressureOperator, EqualsTheDenseOperatorWhereTheRestOfGIsNotSmooth) {
+  // Elements 30 times as long as the water is deep, where moments do not do; and waves of three
+  // elements' length, where R and R² log R count
+  const auto plate = test::lattice_mesh(20, 6, 3.0, 2.0, [](int, int) { return true; });
+  expect_agreement("shallow", plate, 0.1, {1e-3});
+  const auto coarse = test::lattice_mesh(12, 5, 20.0, 20.0, [](int, int) { return true; });
+  expect_agreement("coarse", coarse, kInfinity, {1e-3, 1e-5});
+}
+
 TEST(FastPressureOperator, HasTheSameBitsForAnyNumberOfThreadsAndInBlocks) {
   const mesh::Q8Mesh mesh = read("ring.msh");
   const green::GreenFunction exact(kNu, 20.0);

@@ -43,6 +43,12 @@ class ElementIntegrals {
   void node_elements(Index node, std::span<const Index> elements, const green::GreenTable& green,
                      std::span<std::array<Complex, 8>> integrals) const;
 
+  /// The frequency-independent integrals ∫ N_m dS against the functions of (F.22), in place of G:
+  /// integrals[k][m] = that of 1/R (real part) and log R (imaginary part), integrals[k][8 + m] =
+  /// that of R and R² log R; R in metres.
+  void node_singular_elements(Index node, std::span<const Index> elements,
+                              std::span<std::array<Complex, 16>> integrals) const;
+
   const mesh::Q8Mesh& mesh() const { return mesh_; }
 
  private:
