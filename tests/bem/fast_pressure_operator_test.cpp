@@ -101,6 +101,31 @@ TEST(twin_FastPressureOperator, EqualsTheDenseOperatorWhereTheRestOfGIsNotSmooth
   expect_agreement("coarse", coarse, kInfinity, {1e-3, 1e-5});
 }
 
+TEST(twin_FastPressureOperatorLong, EqualsTheLatticeOperatorOn287ThousandNodes) {
+  // Too many for a dense matrix; the lattice operator is exact there, and equals it where there is
+  const auto plate = mesh::make_rectangle({.length = 300.0, .width = 60.0, .nx = 690, .ny = 138});
+  const green::GreenFunction exact(kNu, 58.5);
+  const green::GreenTable green(exact, 4.0 * (plate.upper() - plate.lower()).norm());
+  const MatXcd x = test_columns(plate, exact.wavenumber());
+  MatXcd expected(x.rows(), 2), actual(x.rows(), 2);
+  const auto lattice =
+      std::make_shared<const LatticePlan>(plate, IntegralOptions{.tolerance = 1e-10});
+  LatticePressureOperator(lattice, green).apply(x, expected);
+  for (const double tolerance : kTolerances)
+    for (const SumEngine engine : {SumEngine::kPfft, SumEngine::kMultipole}) {
+      const auto plan = std::make_shared<const FastPressurePlan>(
+          plate,
+          FastOptions{
+              .engine = engine, .tolerance = tolerance, .max_wavenumber = exact.wavenumber()});
+      FastPressureOperator(plan, green).apply(x, actual);
+      for (Index column = 0; column < 2; ++column) {
+        const double error = (actual.col(column) - expected.col(column)).norm() /
+                             (expected.col(column) - x.col(column)).norm();
+        EXPECT_LE(error, 10.0 * tolerance) << name_of(engine) << ", column " << column;
+      }
+    }
+}
+
 TEST(FastPressureOperator, HasTheSameBitsForAnyNumberOfThreadsAndInBlocks) {
   const mesh::Q8Mesh mesh = read("ring.msh");
   const green::GreenFunction exact(kNu, 20.0);
