@@ -10,7 +10,7 @@
 #include <vector>
 
 /// The anchor of every speed target, and how times are taken: CPU time, medians.
-namespace floe::benchmark {
+namespace floe::bench {
 
 /// CPU time of the process so far [s].
 inline double cpu_seconds() {
@@ -75,4 +75,4 @@ class F1 {
   std::vector<Complex> spectrum_;
 };
 
-}  // namespace floe::benchmark
+}  // namespace floe::bench

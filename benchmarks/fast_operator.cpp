@@ -1,35 +1,22 @@
 // The pressure operator on a general mesh: time of an application in F1, set-up, bytes a node, and
 // the error against exact rows, for both engines.
-//   bench_fast_operator [elements along the plate = 690] [tolerance …]
+#include "curved_plate.hpp"
 #include "f1.hpp"
+#include "figures.hpp"
 
 #include <floe/bem/fast_pressure_operator.hpp>
-#include <floe/mesh/rectangle.hpp>
 
 #include <omp.h>
 
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <numbers>
+#include <string>
+#include <utility>
 
-namespace floe::benchmark {
+namespace floe::bench {
 namespace {
 
 constexpr double kDepth = 58.5, kOmega = 1.01, kGravity = 9.81;
-
-// A 5 : 1 plate whose elements all differ: edges curved by a smooth map
-mesh::Q8Mesh curved_plate(int nx) {
-  const mesh::Q8Mesh plain =
-      mesh::make_rectangle({.length = 300.0, .width = 60.0, .nx = nx, .ny = nx / 5});
-  Points2 nodes = plain.nodes();
-  for (Index i = 0; i < nodes.cols(); ++i) {
-    const double x = nodes(0, i), y = nodes(1, i);
-    nodes(0, i) += 1.5 * std::sin(y / 11.0) + 2.0 * std::sin(x / 37.0);
-    nodes(1, i) += 1.0 * std::sin(x / 23.0) + 0.7 * std::sin(y / 9.0 + x / 50.0);
-  }
-  return {nodes, plain.elements()};
-}
 
 struct Columns {
   MatXcd values;
@@ -59,7 +46,8 @@ double sampled_error(const mesh::Q8Mesh& mesh, const green::GreenTable& green, c
   return std::sqrt(error / norm);
 }
 
-void measure(const mesh::Q8Mesh& mesh, int nx, bem::SumEngine engine, double tolerance) {
+Figures measure(int nx, bem::SumEngine engine, double tolerance) {
+  const mesh::Q8Mesh mesh = curved_plate(nx);
   const double nu = kOmega * kOmega / kGravity;
   const green::GreenFunction exact(nu, kDepth);
   std::shared_ptr<const bem::FastPressurePlan> plan;
@@ -84,28 +72,33 @@ void measure(const mesh::Q8Mesh& mesh, int nx, bem::SumEngine engine, double tol
   }
   const double t1 = median(one), t8 = median(eight) / 8.0, f = median(f1);
   const double nodes = static_cast<double>(mesh.node_count());
-  std::printf(
-      "%-10s N %ld threads %d tolerance %.0e error random %.1e wave %.1e one %.1f ms %.2f F1 "
-      "eight %.1f ms a column %.2f F1 ratio %.2f setup %.2f s %.0f applications plan %.2f s "
-      "bytes a node: operator %.0f plan %.0f F1 %.1f ms\n",
-      engine == bem::SumEngine::kPfft ? "pfft" : "multipole", static_cast<long>(mesh.node_count()),
-      omp_get_max_threads(), tolerance, sampled_error(mesh, green, x.values, y, 0),
-      sampled_error(mesh, green, x.values, y, 1), 1e3 * t1, t1 / f, 1e3 * t8, t8 / f, t8 / t1,
-      setup, setup / t1, plan_time, op->memory() / nodes, plan->memory() / nodes, 1e3 * f);
-  std::fflush(stdout);
+  return {.nodes = nodes,
+          .tolerance = tolerance,
+          .seconds = t1,
+          .anchor = f,
+          .error = sampled_error(mesh, green, x.values, y, 0),
+          .bytes = op->memory() + plan->memory(),
+          .more = {{"error_wave", sampled_error(mesh, green, x.values, y, 1)},
+                   {"of_eight_s", t8},
+                   {"of_eight_share", t8 / t1},
+                   {"plan_s", plan_time},
+                   {"setup_applications", setup / t1},
+                   {"operator_bytes", op->memory()}}};
 }
 
 }  // namespace
-}  // namespace floe::benchmark
+}  // namespace floe::bench
 
 int main(int argc, char** argv) {
-  using namespace floe;
-  const int nx = argc > 1 ? std::atoi(argv[1]) : 690;
-  const mesh::Q8Mesh mesh = benchmark::curved_plate(nx);
-  std::vector<double> tolerances;
-  for (int i = 2; i < argc; ++i) tolerances.push_back(std::atof(argv[i]));
-  if (tolerances.empty()) tolerances = {1e-3, 1e-4, 1e-6};
-  for (const double tolerance : tolerances)
-    for (const bem::SumEngine engine : {bem::SumEngine::kPfft, bem::SumEngine::kMultipole})
-      benchmark::measure(mesh, nx, engine, tolerance);
+  using namespace floe::bench;
+  using floe::bem::SumEngine;
+  omp_set_num_threads(1);
+  for (const auto& [id, tolerance] : {std::pair{"T2", 1e-4}, std::pair{"T3", 1e-6}}) {
+    const std::string end = "/nx=690/tolerance=" + std::string(tolerance > 1e-5 ? "1e-4" : "1e-6");
+    add_measurement(id + std::string("/pfft_operator") + end,
+                    [=] { return measure(690, SumEngine::kPfft, tolerance); });
+    add_measurement("fmm_operator" + end,
+                    [=] { return measure(690, SumEngine::kMultipole, tolerance); });
+  }
+  return run_measurements(argc, argv);
 }

@@ -1,21 +1,21 @@
 // Block GMRES on the lattice operator: iterations and applications a mode for the outlines and
-// wavelengths of docs/theory/solver.md. Arguments, all optional: an outline (or all), elements a
-// wavelength, columns.
+// wavelengths of docs/theory/solver.md. Five elements a wavelength, 30 columns; the error is
+// the true residual.
+
+#include "figures.hpp"
 
 #include <floe/bem/coarse_preconditioner.hpp>
 #include <floe/bem/damped_wave_preconditioner.hpp>
 #include <floe/bem/lattice_pressure_operator.hpp>
 #include <floe/krylov/gmres.hpp>
-#include <floe/numeric/error.hpp>
 
 #include <lattice_mesh.hpp>
 #include <omp.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <limits>
+#include <memory>
 #include <string>
 
 namespace {
@@ -45,64 +45,61 @@ mesh::Q8Mesh make_mesh(const Case& c, double elements_per_wavelength) {
   });
 }
 
-struct Run {
-  const char* name;
-  const krylov::LinearOperator* preconditioner;
-  double setup;
-  krylov::GmresOptions::Basis basis;
-};
+enum class Preconditioning { none, damped, damped_single, coarse };
 
-void report(const Case& c, const bem::LatticePressureOperator& a, const MatXcd& b, const Run& run) {
-  MatXcd x(b.rows(), b.cols());
-  const double start = omp_get_wtime();
-  try {
-    const krylov::GmresReport r =
-        krylov::solve_gmres(a, {.action = run.preconditioner}, b, x, {.basis = run.basis});
-    std::printf(
-        "%-9s kL %5.0f kh %4g N %7td %-13s %s block %2td iterations %3td cycles %td "
-        "applications a mode %5.1f setup %.2f s solve %.2f s threads %d residual %.1e\n",
-        c.outline.c_str(), c.kl, c.kh, b.rows(), run.name,
-        run.basis == krylov::GmresOptions::Basis::double_precision ? "double" : "single",
-        r.block_size, r.iterations, r.cycles, double(r.applications) / double(b.cols()), run.setup,
-        omp_get_wtime() - start, omp_get_max_threads(), r.true_residual.maxCoeff());
-  } catch (const Error& error) {
-    std::printf("%-9s kL %5.0f kh %4g N %7td %-13s %s\n", c.outline.c_str(), c.kl, c.kh, b.rows(),
-                run.name, error.what());
-  }
-  std::fflush(stdout);
-}
-
-void run_case(const Case& c, double elements_per_wavelength, Index columns) {
+bench::Figures measure(const Case& c, Preconditioning kind, double elements_per_wavelength) {
+  constexpr Index kColumns = 30;
+  using Basis = krylov::GmresOptions::Basis;
   const double k = c.kl / kLength, nu = std::isinf(c.kh) ? k : k * std::tanh(c.kh);
   const mesh::Q8Mesh mesh = make_mesh(c, elements_per_wavelength);
   const green::GreenTable green(green::GreenFunction(nu, c.kh / k), 1.6 * kLength);
   const bem::LatticePressureOperator a(std::make_shared<const bem::LatticePlan>(mesh), green);
-  const MatXcd b = test::smooth_modes(mesh, columns);
+  const MatXcd b = test::smooth_modes(mesh, kColumns);
   const double start = omp_get_wtime();
-  const bem::DampedWavePreconditioner wave(mesh, green.exact());
-  const double middle = omp_get_wtime();
-  const bem::CoarsePreconditioner coarse(mesh, green);
-  const double end = omp_get_wtime();
-  using Basis = krylov::GmresOptions::Basis;
-  if (c.outline == "rectangle" && c.kh == kDeep && c.kl < 200.0)
-    report(c, a, b, {"none", nullptr, 0.0, Basis::double_precision});
-  report(c, a, b, {"damped wave", &wave, middle - start, Basis::double_precision});
-  report(c, a, b, {"damped wave", &wave, middle - start, Basis::single_precision});
-  if (coarse.points_per_wavelength() < 4.0) return;  // too coarse to be of use
-  char name[32];
-  std::snprintf(name, sizeof name, "coarse (%.1f)", coarse.points_per_wavelength());
-  report(c, a, b, {name, &coarse, end - middle, Basis::double_precision});
+  std::unique_ptr<const krylov::LinearOperator> preconditioner;
+  if (kind == Preconditioning::coarse)
+    preconditioner = std::make_unique<const bem::CoarsePreconditioner>(mesh, green);
+  else if (kind != Preconditioning::none)
+    preconditioner = std::make_unique<const bem::DampedWavePreconditioner>(mesh, green.exact());
+  const double setup = omp_get_wtime() - start;
+  MatXcd x(b.rows(), b.cols());
+  const bool single = kind == Preconditioning::damped_single;
+  const krylov::GmresReport r =
+      krylov::solve_gmres(a, {.action = preconditioner.get()}, b, x,
+                          {.basis = single ? Basis::single_precision : Basis::double_precision});
+  return {.nodes = static_cast<double>(b.rows()),
+          .tolerance = krylov::GmresOptions{}.tolerance,
+          .seconds = omp_get_wtime() - start - setup,
+          .error = r.true_residual.maxCoeff(),
+          .bytes = 16.0 * static_cast<double>(b.rows() * r.iterations),
+          .more = {{"iterations", static_cast<double>(r.iterations)},
+                   {"applications_a_mode", double(r.applications) / double(kColumns)},
+                   {"setup_s", setup},
+                   {"kL", c.kl},
+                   {"kh", c.kh}}};
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::string outline = argc > 1 ? argv[1] : "all";
-  const double elements_per_wavelength = argc > 2 ? std::atof(argv[2]) : 8.0;
-  const Index columns = argc > 3 ? std::atol(argv[3]) : 30;
+  const auto add = [](const std::string& id, const Case& c, const char* name, Preconditioning kind,
+                      double elements) {
+    const std::string depth = std::isinf(c.kh) ? "inf" : std::to_string(c.kh).substr(0, 3);
+    const bool quick =
+        kind == Preconditioning::damped || (kind == Preconditioning::none && c.kl < 100.0);
+    bench::add_measurement(id + "/gmres_wall/" + c.outline + "/kL=" + std::to_string(int(c.kl)) +
+                               "/kh=" + depth + "/" + name + (quick ? "" : "/full"),
+                           [=] { return measure(c, kind, elements); });
+  };
   for (const Case& c : {Case{"rectangle", 31.0, kDeep}, Case{"rectangle", 122.0, kDeep},
                         Case{"rectangle", 240.0, kDeep}, Case{"rectangle", 122.0, 1.0},
                         Case{"rectangle", 122.0, 0.1}, Case{"L", 122.0, 1.0},
-                        Case{"ring", 122.0, 1.0}, Case{"gap", 122.0, 1.0}})
-    if (outline == "all" || outline == c.outline) run_case(c, elements_per_wavelength, columns);
+                        Case{"ring", 122.0, 1.0}, Case{"gap", 122.0, 1.0}}) {
+    const std::string id = std::isinf(c.kh) ? "T9" : c.kh == 1.0 ? "T9b" : "gmres";
+    add(id, c, "damped", Preconditioning::damped, 5.0);
+    add(id, c, "damped_single", Preconditioning::damped_single, 5.0);
+    add(id, c, "coarse", Preconditioning::coarse, 5.0);
+    if (c.outline == "rectangle" && c.kl < 200.0) add(id, c, "none", Preconditioning::none, 5.0);
+  }
+  return bench::run_measurements(argc, argv);
 }

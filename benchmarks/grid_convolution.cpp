@@ -1,13 +1,14 @@
 // GridConvolution against F1 (SPEED: the anchor), alternating, medians of CPU time on one thread.
 
 #include "f1.hpp"
+#include "figures.hpp"
 
 #include <floe/fmm/grid_convolution.hpp>
 
 #include <omp.h>
 
 #include <cmath>
-#include <cstdio>
+#include <string>
 
 namespace {
 
@@ -29,13 +30,13 @@ double error_of(const std::vector<Complex>& charges, const std::vector<Complex>&
   return worst / largest;
 }
 
-void compare(const char* name, Index nx, Index ny) {
+bench::Figures compare(Index nx, Index ny) {
   auto grid = std::make_shared<fmm::PaddedGrid>(nx, ny);
   fmm::EvenSpectrum spectrum(*grid, [](Index i, Index j) {
     return Complex(1.0 / (std::hypot(double(i), double(j)) + 1.0), 0.0);
   });
   const fmm::GridConvolution convolution(grid, std::move(spectrum));
-  const benchmark::F1 estimated(nx, ny, FFTW_ESTIMATE), measured(nx, ny, FFTW_MEASURE);
+  const bench::F1 estimated(nx, ny, FFTW_ESTIMATE), measured(nx, ny, FFTW_MEASURE);
   std::vector<Complex> charges(static_cast<std::size_t>(nx * ny)), data;
   for (std::size_t i = 0; i < charges.size(); ++i)
     charges[i] = {std::sin(1.0 + i), std::cos(2.0 * i)};
@@ -46,23 +47,23 @@ void compare(const char* name, Index nx, Index ny) {
     data = charges;
     f1.push_back(measured.seconds());
     f1_estimate.push_back(estimated.seconds());
-    ours.push_back(benchmark::seconds_of([&] { convolution.apply(data.data(), &workspace); }));
+    ours.push_back(bench::seconds_of([&] { convolution.apply(data.data(), &workspace); }));
   }
-  const double anchor = benchmark::median(f1), time = benchmark::median(ours);
-  std::printf(
-      "%-22s %5td x %4td padded %5td x %4td threads %d F1 %.2f ms (estimate %.2f) "
-      "ours %.2f ms ratio %.2f error %.1e\n",
-      name, nx, ny, grid->padded_nx(), grid->padded_ny(), omp_get_max_threads(), 1e3 * anchor,
-      1e3 * benchmark::median(f1_estimate), 1e3 * time, time / anchor,
-      error_of(charges, data, nx, ny));
+  const double anchor = bench::median(f1), time = bench::median(ours);
+  return {.nodes = static_cast<double>(nx * ny),
+          .seconds = time,
+          .anchor = anchor,
+          .error = error_of(charges, data, nx, ny),
+          .bytes = 16.0 * static_cast<double>(grid->padded_nx() * grid->padded_ny()),
+          .more = {{"anchor_estimate_s", bench::median(f1_estimate)}}};
 }
 
 }  // namespace
 
-int main() {
+int main(int argc, char** argv) {
   omp_set_num_threads(1);
-  compare("N = 285k, h = E", 691, 139);
-  compare("N = 285k, h = E/2", 1381, 277);
-  compare("N = 1M, h = E", 1293, 259);
-  compare("N = 1M, h = E/2", 2585, 517);
+  for (const Index nx : {691, 1381, 1293, 2585})
+    bench::add_measurement("grid_convolution/nx=" + std::to_string(nx),
+                           [=] { return compare(nx, nx / 5 + 1); });
+  return bench::run_measurements(argc, argv);
 }

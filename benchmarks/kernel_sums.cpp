@@ -4,6 +4,7 @@
 // smooth charges, one column and eight.
 
 #include "f1.hpp"
+#include "figures.hpp"
 
 #include <floe/fmm/direct_sum.hpp>
 #include <floe/fmm/multipole_sum.hpp>
@@ -20,8 +21,8 @@
 namespace floe {
 namespace {
 
-using benchmark::median;
-using benchmark::seconds_of;
+using bench::median;
+using bench::seconds_of;
 
 // Corners and middles of the edges of nx × ny square elements of size 1
 Points2 q8_nodes(int nx, int ny) {
@@ -40,18 +41,8 @@ MatXcd random_charges(Index count, Index columns) {
                              [&] { return Complex(normal(random), normal(random)); });
 }
 
-}  // namespace
-}  // namespace floe
-
-int main(int argc, char** argv) {
-  using namespace floe;
-  const auto argument = [&](int i, double otherwise) {
-    return argc > i ? std::strtod(argv[i], nullptr) : otherwise;
-  };
-  const int nx = static_cast<int>(argument(1, 690)), ny = nx / 5;
-  const double tolerance = argument(2, 1e-4), kL = argument(3, 150.0), kh = argument(4, INFINITY);
-  const auto leaf_size = static_cast<Index>(argument(5, fmm::MultipoleOptions{}.leaf_size));
-
+bench::Figures measure(int nx, double tolerance, double kL, double kh, Index leaf_size) {
+  const int ny = nx / 5;
   const Points2 points = q8_nodes(nx, ny);
   const double k = kL / nx, depth = kh / k, nu = std::isinf(kh) ? k : k * std::tanh(kh);
   std::shared_ptr<const fmm::MultipolePlan> plan;
@@ -68,7 +59,7 @@ int main(int argc, char** argv) {
   constexpr Index kColumns = 8;
   const MatXcd block = random_charges(points.cols(), kColumns), charges = block.leftCols(1);
   MatXcd potentials(points.cols(), 1), block_potentials(points.cols(), kColumns);
-  const benchmark::F1 anchor(nx + 1, ny + 1, FFTW_MEASURE);
+  const bench::F1 anchor(nx + 1, ny + 1, FFTW_MEASURE);
   std::vector<double> f1_times, far_times, times, eight_times, far_eight_times;
   for (int round = 0; round < 9; ++round) {
     f1_times.push_back(anchor.seconds());
@@ -86,16 +77,37 @@ int main(int argc, char** argv) {
   const double smooth_error = fmm::sampled_error(truth, smooth, potentials, 100);
 
   const double f1 = median(f1_times), time = median(times), far = median(far_times);
-  std::printf(
-      "multipole N %td threads %d kL %g kh %g leaf %td tolerance %.0e error random %.1e smooth "
-      "%.1e "
-      "| F1 %.1f ms, apply %.1f ms = %.1f F1 (far %.1f F1), of 8 each %.1f ms = %.2f (far %.2f) "
-      "| plan %.2f s, setup %.1f applications | %.0f + %.0f bytes a node | ranks",
-      points.cols(), omp_get_max_threads(), kL, kh, leaf_size, tolerance, error, smooth_error,
-      1e3 * f1, 1e3 * time, time / f1, far / f1, 1e3 * median(eight_times),
-      median(eight_times) / time, median(far_eight_times) / far, plan_seconds, setup_seconds / time,
-      sum->memory() / static_cast<double>(points.cols()),
-      plan->memory() / static_cast<double>(points.cols()));
-  for (const Index rank : sum->ranks()) std::printf(" %td", rank);
-  std::printf("\n");
+  return {.nodes = static_cast<double>(points.cols()),
+          .tolerance = tolerance,
+          .seconds = time,
+          .anchor = f1,
+          .error = error,
+          .bytes = sum->memory() + plan->memory(),
+          .more = {{"error_smooth", smooth_error},
+                   {"far_ratio", far / f1},
+                   {"of_eight_share", median(eight_times) / time},
+                   {"far_of_eight_share", median(far_eight_times) / far},
+                   {"plan_s", plan_seconds},
+                   {"setup_applications", setup_seconds / time}}};
+}
+
+}  // namespace
+}  // namespace floe
+
+int main(int argc, char** argv) {
+  using namespace floe;
+  omp_set_num_threads(1);
+  const auto add = [](const std::string& name, double tolerance, double kh, Index leaf) {
+    bench::add_measurement(name, [=] { return measure(690, tolerance, 150.0, kh, leaf); });
+  };
+  const Index leaf = fmm::MultipoleOptions{}.leaf_size;
+  add("T4/fmm_sum/tolerance=1e-4", 1e-4, INFINITY, leaf);
+  add("T5/fmm_sum/tolerance=3e-6", 3e-6, INFINITY, leaf);
+  add("fmm_sum/tolerance=1e-2/full", 1e-2, INFINITY, leaf);
+  add("fmm_sum/tolerance=1e-6/full", 1e-6, INFINITY, leaf);
+  add("fmm_sum/tolerance=1e-9/full", 1e-9, INFINITY, leaf);
+  add("fmm_sum/tolerance=1e-4/kh=1/full", 1e-4, 1.0, leaf);
+  add("fmm_sum/tolerance=1e-4/kh=0.02/full", 1e-4, 0.02, leaf);
+  add("fmm_sum/tolerance=1e-4/leaf=32/full", 1e-4, INFINITY, 32);
+  return bench::run_measurements(argc, argv);
 }

@@ -1,8 +1,8 @@
 // LatticePressureOperator against F1, alternating, medians of CPU time; errors against exact rows
 // of the matrix at sampled nodes.
-//   bench_lattice [threads] [nx of elements…]
 
 #include "f1.hpp"
+#include "figures.hpp"
 
 #include <floe/bem/lattice_pressure_operator.hpp>
 #include <floe/mesh/rectangle.hpp>
@@ -11,10 +11,10 @@
 
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <functional>
 #include <numbers>
+#include <string>
 
 namespace {
 
@@ -69,62 +69,68 @@ double sampled_error(const mesh::Q8Mesh& mesh, const green::GreenTable& green, c
   return std::sqrt(error / norm);
 }
 
-void compare(const char* name, Index nx, Index ny, const mesh::Q8Mesh& mesh) {
+bench::Figures compare(Index nx, Index ny, const mesh::Q8Mesh& mesh) {
   const green::GreenFunction exact(kOmega * kOmega / 9.81, kDepth);
   const green::GreenTable green(exact, 1.1 * std::hypot(kLength, kWidth));
   std::shared_ptr<const bem::LatticePlan> plan;
-  const double plan_time = benchmark::seconds_of(
+  const double plan_time = bench::seconds_of(
       [&] { plan = std::make_shared<const bem::LatticePlan>(mesh, bem::IntegralOptions{}); });
   std::unique_ptr<const bem::LatticePressureOperator> op;
   std::vector<double> setup, one, four, f1, f1_estimate, wall;
   for (int repeat = 0; repeat < 3; ++repeat)
-    setup.push_back(benchmark::seconds_of(
+    setup.push_back(bench::seconds_of(
         [&] { op = std::make_unique<const bem::LatticePressureOperator>(plan, green); }));
 
   const Index count = mesh.node_count();
   MatXcd x = MatXcd::Random(count, 4), y(count, 4), block(count, 4);
-  const benchmark::F1 estimated(nx + 1, ny + 1, FFTW_ESTIMATE),
-      measured(nx + 1, ny + 1, FFTW_MEASURE);
+  const bench::F1 estimated(nx + 1, ny + 1, FFTW_ESTIMATE), measured(nx + 1, ny + 1, FFTW_MEASURE);
   fftw_forget_wisdom();  // or estimated plans of the next case would make use of it
   for (int repeat = 0; repeat < kRepeats; ++repeat) {
     f1.push_back(measured.seconds());
     f1_estimate.push_back(estimated.seconds());
     const double start = wall_seconds();
-    one.push_back(benchmark::seconds_of([&] { op->apply(x.col(0), y.col(0)); }));
+    one.push_back(bench::seconds_of([&] { op->apply(x.col(0), y.col(0)); }));
     wall.push_back(wall_seconds() - start);
-    four.push_back(0.25 * benchmark::seconds_of([&] { op->apply(x, block); }));
+    four.push_back(0.25 * bench::seconds_of([&] { op->apply(x, block); }));
   }
-  const double time = benchmark::median(one), anchor = benchmark::median(f1);
-  std::printf(
-      "%-9s N %7td threads %d error %.1e | apply %6.1f ms CPU, %6.1f ms wall, F1 %5.1f ms "
-      "(estimate %5.1f) | %.2f F1 (%.2f estimate), of 4 columns each %.2f F1 | plan %.1f, setup "
-      "%.1f applications | %.0f bytes a node\n",
-      name, count, omp_get_max_threads(), sampled_error(mesh, green, x, y), 1e3 * time,
-      1e3 * benchmark::median(wall), 1e3 * anchor, 1e3 * benchmark::median(f1_estimate),
-      time / anchor, time / benchmark::median(f1_estimate), benchmark::median(four) / anchor,
-      plan_time / time, benchmark::median(setup) / time,
-      (op->memory() + plan->memory()) / static_cast<double>(count));
-  std::fflush(stdout);
+  const double time = bench::median(one), anchor = bench::median(f1);
+  return {.nodes = static_cast<double>(count),
+          .seconds = time,
+          .anchor = anchor,
+          .error = sampled_error(mesh, green, x, y),
+          .bytes = op->memory() + plan->memory(),
+          .more = {{"wall_s", bench::median(wall)},
+                   {"ratio_estimate", time / bench::median(f1_estimate)},
+                   {"of_four_ratio", bench::median(four) / anchor},
+                   {"plan_applications", plan_time / time},
+                   {"setup_applications", bench::median(setup) / time}}};
+}
+
+using Keep = std::function<bool(Index, Index)>;
+
+void add(const char* id, const char* outline, Index nx, const Keep& keep) {
+  const char* const full = nx > 1000 ? "/full" : "";
+  bench::add_measurement(
+      std::string(id) + "/lattice/" + outline + "/nx=" + std::to_string(nx) + full,
+      [=] { return compare(nx, nx / 5, masked(nx, nx / 5, keep)); });
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  omp_set_num_threads(argc > 1 ? std::atoi(argv[1]) : 1);
-  std::vector<Index> sizes;
-  for (int a = 2; a < argc; ++a) sizes.push_back(std::atol(argv[a]));
-  if (sizes.empty()) sizes = {690, 1290};
-  for (const Index nx : sizes) {
+  omp_set_num_threads(1);
+  for (const Index nx : {690, 1290}) {
     const Index ny = nx / 5;
-    compare("rectangle", nx, ny, masked(nx, ny, [](Index, Index) { return true; }));
-    compare("L", nx, ny,
-            masked(nx, ny, [&](Index i, Index j) { return 2 * i < nx || 2 * j < ny; }));
-    compare("hole", nx, ny, masked(nx, ny, [&](Index i, Index j) {
-              return 3 * i < nx || 3 * i >= 2 * nx || 3 * j < ny || 3 * j >= 2 * ny;
-            }));
-    compare("staircase", nx, ny, masked(nx, ny, [&](Index i, Index j) {
-              return 4.0 * std::hypot((i + 0.5) / double(nx) - 0.5, (j + 0.5) / double(ny) - 0.5) <
-                     2.0;
-            }));
+    add("T1", "rectangle", nx, [](Index, Index) { return true; });
+    add("T1", "L", nx, [=](Index i, Index j) { return 2 * i < nx || 2 * j < ny; });
+    add("T1", "hole", nx, [=](Index i, Index j) {
+      return 3 * i < nx || 3 * i >= 2 * nx || 3 * j < ny || 3 * j >= 2 * ny;
+    });
+    add("T1", "staircase", nx, [=](Index i, Index j) {
+      return 4.0 * std::hypot((double(i) + 0.5) / double(nx) - 0.5,
+                              (double(j) + 0.5) / double(ny) - 0.5) <
+             2.0;
+    });
   }
+  return bench::run_measurements(argc, argv);
 }

@@ -1,7 +1,9 @@
-// The spectral stage with synthetic modes and modal amplitudes.
-//   bench_pem                 T12, N = 1621: one wave by pseudo-excitation against two zgemm of 3N
-//   bench_pem stage N Q F D   the whole stage: N nodes, Q modes, F frequencies, D directions, four
-//                             mean headings; time and memory over the stored modes
+// The spectral stage with synthetic modes and modal amplitudes: T12, the whole stage with its
+// memory over the stored modes, and what Table 2 of the paper compares.
+#include "f1.hpp"
+#include "figures.hpp"
+
+#include <floe/numeric/blas_threads.hpp>
 #include <floe/numeric/memory.hpp>
 #include <floe/sea_statistics.hpp>
 
@@ -9,10 +11,10 @@
 #include <chrono>
 #include <cmath>
 #include <complex>
-#include <cstdio>
-#include <cstdlib>
+#include <functional>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 extern "C" void zgemm_(const char*, const char*, const int*, const int*, const int*,
@@ -20,8 +22,12 @@ extern "C" void zgemm_(const char*, const char*, const int*, const int*, const i
                        const std::complex<double>*, const int*, const std::complex<double>*,
                        std::complex<double>*, const int*);
 
+extern "C" void zgetrf_(const int*, const int*, std::complex<double>*, const int*, int*, int*);
+
 namespace floe {
 namespace {
+
+using bench::Figures;
 
 double seconds(const auto& work) {
   const auto start = std::chrono::steady_clock::now();
@@ -57,45 +63,86 @@ double product_seconds(Index unknowns) {
   });
 }
 
-void one_wave() {
-  constexpr Index kNodes = 1621, kModes = 60, kHeadings = 180;
-  const MatXd shape = random_real(3 * kNodes, kModes, 3);
-  const VecXcd amplitudes = random_complex(kModes, 1, 4);
-  MatXd parts(kModes, 2);  // real products: the modes are real
-  parts << amplitudes.real(), amplitudes.imag();
-  // All headings of a frequency share one small matrix (E.9); here each is the wave above
+constexpr Index kHeadings = 180;
+
+// Auto-spectra of all unknowns for one wave. All headings of a frequency share one small matrix
+// (E.9); here each is the same wave
+double auto_spectra_seconds(const MatXd& shape, const VecXcd& amplitudes, VecXd& spectrum) {
   const MatXcd waves = amplitudes.replicate(1, kHeadings) / std::sqrt(double{kHeadings});
-  std::vector<double> autos, matrices;
-  VecXd spectrum;
-  MatXcd matrix = MatXcd::Zero(3 * kNodes, 3 * kNodes);  // its lower half; it is Hermitian
-  for (int repeat = 0; repeat < 9; ++repeat) {
-    autos.push_back(seconds([&] {
-                      const MatXcd covariance = waves.conjugate() * waves.transpose();
-                      spectrum = response::standard_deviation(shape, covariance).cwiseAbs2();
-                    }) /
-                    static_cast<double>(kHeadings));
-    matrices.push_back(seconds([&] {
+  std::vector<double> times;
+  for (int repeat = 0; repeat < 9; ++repeat)
+    times.push_back(seconds([&] {
+      const MatXcd covariance = waves.conjugate() * waves.transpose();
+      spectrum = response::standard_deviation(shape, covariance).cwiseAbs2();
+    }));
+  return bench::median(times) / static_cast<double>(kHeadings);
+}
+
+// The full matrix of the spectra for one wave, as the paper's (33) forms it; its lower half, it is
+// Hermitian. `error` is that of its diagonal against the auto-spectra
+double full_matrix_seconds(const MatXd& shape, const VecXcd& amplitudes, const VecXd& spectrum,
+                           double& error) {
+  const Index unknowns = shape.rows();
+  MatXd parts(amplitudes.size(), 2);  // real products: the modes are real
+  parts << amplitudes.real(), amplitudes.imag();
+  MatXcd matrix = MatXcd::Zero(unknowns, unknowns);
+  std::vector<double> times;
+  for (int repeat = 0; repeat < 5; ++repeat)
+    times.push_back(seconds([&] {
       const MatXd pair = shape * parts;
       const VecXcd pseudo = pair.col(0).cast<Complex>() + Complex(0.0, 1.0) * pair.col(1);
 #pragma omp parallel for schedule(static, 16)
-      for (Index j = 0; j < matrix.cols(); ++j)
-        matrix.col(j).tail(matrix.rows() - j) =
-            pseudo.tail(matrix.rows() - j).conjugate() * pseudo[j];
+      for (Index j = 0; j < unknowns; ++j)
+        matrix.col(j).tail(unknowns - j) = pseudo.tail(unknowns - j).conjugate() * pseudo[j];
     }));
-  }
-  const double error = (matrix.diagonal().real() - spectrum).norm() / spectrum.norm();
-  std::nth_element(autos.begin(), autos.begin() + 4, autos.end());
-  std::nth_element(matrices.begin(), matrices.begin() + 4, matrices.end());
-  const double anchor = product_seconds(3 * kNodes);
-  std::printf(
-      "T12 nodes %ld modes %ld: auto-spectra %.3g s a wave of 180, full matrix %.3g s, two zgemm "
-      "%.3g s: "
-      "ratios %.2g and %.2g, difference %.1g\n",
-      long{kNodes}, long{kModes}, autos[4], matrices[4], anchor, autos[4] / anchor,
-      matrices[4] / anchor, error);
+  error = (matrix.diagonal().real() - spectrum).norm() / spectrum.norm();
+  return bench::median(times);
 }
 
-void whole_stage(Index nodes, Index modes, int frequencies, int directions) {
+enum class Way { auto_spectra, full_matrix };
+
+// One wave; the anchor is the conventional product where it is small enough to be made
+Figures one_wave(Index nodes, Index modes, Way way, bool with_product) {
+  const MatXd shape = random_real(3 * nodes, modes, 3);
+  const VecXcd amplitudes = random_complex(modes, 1, 4);
+  VecXd spectrum;
+  const double autos = auto_spectra_seconds(shape, amplitudes, spectrum);
+  const VecXd exact = (shape.cast<Complex>() * amplitudes).cwiseAbs2();
+  double error = (spectrum - exact).norm() / exact.norm(), time = autos;
+  if (way == Way::full_matrix) time = full_matrix_seconds(shape, amplitudes, spectrum, error);
+  const double unknowns = 3.0 * static_cast<double>(nodes);
+  return {.nodes = static_cast<double>(nodes),
+          .seconds = time,
+          .anchor = with_product ? product_seconds(3 * nodes) : 0.0,
+          .error = error,
+          .bytes = way == Way::full_matrix ? 16.0 * unknowns * unknowns : 8.0 * unknowns,
+          .more = {{"modes", static_cast<double>(modes)}}};
+}
+
+// The conventional way alone: two products of full matrices
+Figures conventional(Index nodes) {
+  const double unknowns = 3.0 * static_cast<double>(nodes);
+  return {.nodes = static_cast<double>(nodes),
+          .seconds = product_seconds(3 * nodes),
+          .bytes = 4.0 * 16.0 * unknowns * unknowns,
+          .more = {}};
+}
+
+// LU factors of a dense complex matrix of the fluid's size by LAPACK
+Figures factorisation(Index nodes) {
+  MatXcd matrix = random_complex(nodes, nodes, 8);
+  const int n = static_cast<int>(nodes);
+  std::vector<int> pivots(static_cast<std::size_t>(nodes));
+  int info = 0;
+  const double time = seconds([&] { zgetrf_(&n, &n, matrix.data(), &n, pivots.data(), &info); });
+  return {.nodes = static_cast<double>(nodes),
+          .seconds = time,
+          .error = static_cast<double>(info),
+          .bytes = 16.0 * static_cast<double>(nodes * nodes),
+          .more = {}};
+}
+
+Figures whole_stage(Index nodes, Index modes, int frequencies, int directions) {
   SeaObservation observation;
   observation.quantity = {0};
   observation.derivative = {0};
@@ -135,20 +182,53 @@ void whole_stage(Index nodes, Index modes, int frequencies, int directions) {
                   response.col(b).cwiseAbs2();
   }
   const VecXd own = results.front().node_moments.col(0).head(100);
-  std::printf(
-      "stage nodes %ld modes %ld frequencies %d directions %d mean headings 4: %.3g s, %.0f MB "
-      "over the stored modes, difference to a direct sum %.1g\n",
-      nodes, modes, frequencies, directions, time, (numeric::peak_memory() - stored) / 1e6,
-      (own - variance).norm() / variance.norm());
+  return {.nodes = static_cast<double>(nodes),
+          .seconds = time,
+          .error = (own - variance).norm() / variance.norm(),
+          .bytes = numeric::peak_memory() - stored,
+          .more = {{"modes", static_cast<double>(modes)},
+                   {"frequencies", static_cast<double>(frequencies)},
+                   {"directions", static_cast<double>(directions)}}};
 }
 
 }  // namespace
 }  // namespace floe
 
 int main(int argc, char** argv) {
-  if (argc == 6 && std::string(argv[1]) == "stage")
-    floe::whole_stage(std::atol(argv[2]), std::atol(argv[3]), std::atoi(argv[4]),
-                      std::atoi(argv[5]));
-  else
-    floe::one_wave();
+  using namespace floe;
+  using bench::add_measurement;
+  // The stage first: its bytes are the growth of the peak
+  const Index large = 284929;
+  for (const auto& [frequencies, directions] :
+       {std::pair{100, 180}, std::pair{400, 180}, std::pair{100, 720}})
+    add_measurement("stage_wall/N=284929/modes=60/frequencies=" + std::to_string(frequencies) +
+                        "/directions=" + std::to_string(directions),
+                    [=] { return whole_stage(large, 60, frequencies, directions); });
+  add_measurement("T12/auto_spectra_wall/N=1621",
+                  [] { return one_wave(1621, 60, Way::auto_spectra, true); });
+  add_measurement("T12/full_matrix_wall/N=1621",
+                  [] { return one_wave(1621, 60, Way::full_matrix, true); });
+  // Table 2 of the paper: one wave, 30 modes, one thread
+  for (const Index nodes : {1621, 3556, 6241, 8929}) {
+    const std::string end = "/N=" + std::to_string(nodes) + (nodes > 4000 ? "/full" : "");
+    const auto alone = [](const std::function<Figures()>& measure) {
+      return [measure] {
+        omp_set_num_threads(1);
+        numeric::use_one_blas_thread();
+        Figures figures = measure();
+        figures.more["table2_threads"] = 1.0;
+        return figures;
+      };
+    };
+    add_measurement("table2/factorisation_wall" + end, alone([=] { return factorisation(nodes); }));
+    add_measurement("table2/full_matrix_wall" + end,
+                    alone([=] { return one_wave(nodes, 30, Way::full_matrix, false); }));
+    add_measurement("table2/auto_spectra_wall" + end,
+                    alone([=] { return one_wave(nodes, 30, Way::auto_spectra, false); }));
+    if (nodes < 4000)
+      add_measurement(
+          "table2/conventional_wall/N=" + std::to_string(nodes) + (nodes > 2000 ? "/full" : ""),
+          alone([=] { return conventional(nodes); }));
+  }
+  return bench::run_measurements(argc, argv);
 }

@@ -1,8 +1,8 @@
 // PfftSum against F1 and the direct sum: nodes of a jittered Q8 mesh of 5 : 1 plates, random and
 // smooth charges, CPU time on one thread, medians.
-//   bench_pfft_sum [nx of elements] [tolerance…]
 
 #include "f1.hpp"
+#include "figures.hpp"
 
 #include <floe/fmm/pfft_sum.hpp>
 #include <floe/fmm/sampled_error.hpp>
@@ -11,16 +11,17 @@
 #include <omp.h>
 
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <limits>
 #include <random>
+#include <string>
 
 namespace {
 
 using namespace floe;
-using benchmark::median;
-using benchmark::seconds_of;
+using bench::Figures;
+using bench::median;
+using bench::seconds_of;
 
 constexpr double kElement = 3.0;  // E [m]
 
@@ -56,8 +57,8 @@ Charges make_charges(const Points2& points, Index columns) {
   return charges;
 }
 
-void measure(const Points2& points, double tolerance, double k, const benchmark::F1* anchor,
-             const fmm::PfftDesign* design) {
+Figures measure(const Points2& points, double tolerance, double k, const bench::F1* anchor,
+                const fmm::PfftDesign* design) {
   const green::GreenFunction green(k, std::numeric_limits<double>::infinity());
   const Point2 size = points.rowwise().maxCoeff() - points.rowwise().minCoeff();
   const green::GreenTable table(green, 1.2 * size.norm());
@@ -90,42 +91,47 @@ void measure(const Points2& points, double tolerance, double k, const benchmark:
   const fmm::DirectSum truth(points, points, table);
   const fmm::PfftDesign& d = plan->design();
   const double f1 = anchor ? median(f1_times) : 0.0, one = median(times), far = median(far_times);
-  std::printf(
-      "pfft N %td threads %d tolerance %.0e w %d r %.1f h/E %.2f grid %td x %td near %.0f "
-      "error random %.1e smooth %.1e | F1 %.1f ms, apply %.1f ms (estimate %.1f) = %.1f F1 "
-      "(far %.1f F1), of 8 each %.1f ms = %.2f (far %.2f) | plan %.2f s, setup %.1f applications "
-      "| %.0f bytes a node\n",
-      points.cols(), omp_get_max_threads(), tolerance, d.stencil, d.near_radius,
-      d.spacing / kElement, d.nx, d.ny, d.near_pairs / double(points.cols()),
-      fmm::sampled_error(truth, charges.random, random),
-      fmm::sampled_error(truth, charges.smooth, smooth), 1e3 * f1, 1e3 * one, 1e-6 * d.nanoseconds,
-      one / f1, far / f1, 1e3 * median(eight_times), median(eight_times) / one,
-      median(far_eight_times) / far, plan_time, setup / one,
-      (sum->memory() + plan->memory()) / double(points.cols()));
-  std::fflush(stdout);
+  return {.nodes = static_cast<double>(points.cols()),
+          .tolerance = tolerance,
+          .seconds = one,
+          .anchor = f1,
+          .error = fmm::sampled_error(truth, charges.random, random),
+          .bytes = sum->memory() + plan->memory(),
+          .more = {{"error_smooth", fmm::sampled_error(truth, charges.smooth, smooth)},
+                   {"stencil", static_cast<double>(d.stencil)},
+                   {"near_radius", d.near_radius},
+                   {"spacing", d.spacing / kElement},
+                   {"estimate_s", 1e-9 * d.nanoseconds},
+                   {"far_s", far},
+                   {"of_eight_share", median(eight_times) / one},
+                   {"far_of_eight_share", median(far_eight_times) / far},
+                   {"plan_s", plan_time},
+                   {"setup_applications", setup / one}}};
+}
+
+// kL = 122; with an anchor, or for a design of its own
+Figures measure(Index nx, double tolerance, const fmm::PfftDesign* design) {
+  const Points2 points = q8_nodes(nx);
+  if (design) return measure(points, tolerance, 1e-6, nullptr, design);
+  const bench::F1 anchor(nx + 1, nx / 5 + 1, FFTW_MEASURE);
+  return measure(points, tolerance, 122.0 / (kElement * double(nx)), &anchor, nullptr);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   omp_set_num_threads(1);
-  const Index nx = argc > 1 ? std::atol(argv[1]) : 690;
-  const Points2 points = q8_nodes(nx);
-  const double k = 122.0 / (kElement * double(nx));  // kL = 122
-  if (argc > 2 && std::atof(argv[2]) == 0.0) {
-    // Error of every stencil and radius, whatever the spacing (the table of the design)
-    const double h = argc > 3 ? std::atof(argv[3]) : 0.7;
-    for (int w = 4; w <= 8; ++w)
-      for (const double r :
-           {1.4, 2.0, 2.2, 2.5, 3.0, 3.1, 3.5, 4.0, 4.2, 5.0, 5.5, 6.0, 6.5, 7.0, 7.5, 8.0}) {
-        const fmm::PfftDesign design{.stencil = w, .near_radius = r, .spacing = h * kElement};
-        measure(points, 1e-7, 1e-6, nullptr, &design);
-      }
-    return 0;
-  }
-  std::vector<double> tolerances;
-  for (int a = 2; a < argc; ++a) tolerances.push_back(std::atof(argv[a]));
-  if (tolerances.empty()) tolerances = {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7};
-  const benchmark::F1 anchor(nx + 1, nx / 5 + 1, FFTW_MEASURE);
-  for (const double tolerance : tolerances) measure(points, tolerance, k, &anchor, nullptr);
+  for (const char* const tolerance : {"1e-2", "1e-3", "1e-4", "1e-5", "1e-6", "1e-7"})
+    bench::add_measurement(std::string("pfft_sum/nx=690/tolerance=") + tolerance,
+                           [=] { return measure(690, std::atof(tolerance), nullptr); });
+  // Error of every stencil and radius, whatever the spacing: the table of the design
+  for (int w = 4; w <= 8; ++w)
+    for (const double r :
+         {1.4, 2.0, 2.2, 2.5, 3.0, 3.1, 3.5, 4.0, 4.2, 5.0, 5.5, 6.0, 6.5, 7.0, 7.5, 8.0})
+      bench::add_measurement(
+          "pfft_design/w=" + std::to_string(w) + "/r=" + std::to_string(r) + "/full", [=] {
+            const fmm::PfftDesign design{.stencil = w, .near_radius = r, .spacing = 0.7 * kElement};
+            return measure(200, 1e-7, &design);
+          });
+  return bench::run_measurements(argc, argv);
 }

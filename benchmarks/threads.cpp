@@ -1,19 +1,19 @@
 // What a second thread gains: wall and CPU time of the operators on 287 thousand nodes with one
 // thread and with two, in turn, medians.
-//   bench_threads [elements along the plate = 690] [tolerance = 1e-4]
 #include "f1.hpp"
+#include "figures.hpp"
 
 #include <floe/bem/fast_pressure_operator.hpp>
 #include <floe/bem/lattice_pressure_operator.hpp>
+#include <floe/estimate.hpp>
 #include <floe/mesh/rectangle.hpp>
 
 #include <omp.h>
 
 #include <chrono>
-#include <cstdio>
-#include <cstdlib>
+#include <string>
 
-namespace floe::benchmark {
+namespace floe::bench {
 namespace {
 
 constexpr double kDepth = 58.5, kNu = 1.01 * 1.01 / 9.81;
@@ -30,7 +30,7 @@ void add_time(Times& times, const Work& work) {
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
 }
 
-void compare(const char* name, const krylov::LinearOperator& op, Index columns) {
+Figures compare(const krylov::LinearOperator& op, Index columns, double tolerance) {
   const MatXcd x = MatXcd::Random(op.size(), columns);
   MatXcd one(op.size(), columns), two(op.size(), columns);
   Times single, pair;
@@ -40,39 +40,45 @@ void compare(const char* name, const krylov::LinearOperator& op, Index columns) 
     omp_set_num_threads(2);
     add_time(pair, [&] { op.apply(x, two); });
   }
-  const double wall = median(single.wall), cpu = median(single.cpu);
-  std::printf(
-      "%-10s N %ld columns %ld one thread %.1f ms two threads %.1f ms wall 1/%.2f CPU %.2f "
-      "difference %.1e\n",
-      name, static_cast<long>(op.size()), static_cast<long>(columns), 1e3 * wall,
-      1e3 * median(pair.wall), wall / median(pair.wall), median(pair.cpu) / cpu,
-      (one - two).norm() / one.norm());
-  std::fflush(stdout);
+  return {.nodes = static_cast<double>(op.size()),
+          .tolerance = tolerance,
+          .seconds = median(pair.wall),
+          .anchor = median(single.wall),
+          .error = (one - two).norm() / one.norm(),
+          .bytes = 0.0,
+          .more = {{"columns", static_cast<double>(columns)},
+                   {"cpu_ratio", median(pair.cpu) / median(single.cpu)}}};
+}
+
+// With the plate of 690 × 138 elements
+Figures measure(SolverMethod method, Index columns) {
+  constexpr double kTolerance = 1e-4;
+  const mesh::Q8Mesh mesh =
+      mesh::make_rectangle({.length = 300.0, .width = 60.0, .nx = 690, .ny = 138});
+  const green::GreenFunction exact(kNu, kDepth);
+  const green::GreenTable green(exact, 1300.0);
+  if (method == SolverMethod::kLattice)
+    return compare(
+        bem::LatticePressureOperator(std::make_shared<const bem::LatticePlan>(mesh), green),
+        columns, 0.0);
+  const auto engine =
+      method == SolverMethod::kPfft ? bem::SumEngine::kPfft : bem::SumEngine::kMultipole;
+  const auto plan = std::make_shared<const bem::FastPressurePlan>(
+      mesh, bem::FastOptions{
+                .engine = engine, .tolerance = kTolerance, .max_wavenumber = exact.wavenumber()});
+  return compare(bem::FastPressureOperator(plan, green), columns, kTolerance);
 }
 
 }  // namespace
-}  // namespace floe::benchmark
+}  // namespace floe::bench
 
 int main(int argc, char** argv) {
   using namespace floe;
-  using namespace floe::benchmark;
-  const int nx = argc > 1 ? std::atoi(argv[1]) : 690;
-  const double tolerance = argc > 2 ? std::atof(argv[2]) : 1e-4;
-  const mesh::Q8Mesh mesh =
-      mesh::make_rectangle({.length = 300.0, .width = 60.0, .nx = nx, .ny = nx / 5});
-  const green::GreenFunction exact(kNu, kDepth);
-  const green::GreenTable green(exact, 1300.0);
-  {
-    const auto plan = std::make_shared<const bem::LatticePlan>(mesh);
-    const bem::LatticePressureOperator lattice(plan, green);
-    for (const Index columns : {1, 8}) compare("lattice", lattice, columns);
-  }
-  for (const bem::SumEngine engine : {bem::SumEngine::kPfft, bem::SumEngine::kMultipole}) {
-    const auto plan = std::make_shared<const bem::FastPressurePlan>(
-        mesh, bem::FastOptions{
-                  .engine = engine, .tolerance = tolerance, .max_wavenumber = exact.wavenumber()});
-    const bem::FastPressureOperator fast(plan, green);
+  for (const SolverMethod method :
+       {SolverMethod::kLattice, SolverMethod::kPfft, SolverMethod::kFmm})
     for (const Index columns : {1, 8})
-      compare(engine == bem::SumEngine::kPfft ? "pfft" : "multipole", fast, columns);
-  }
+      bench::add_measurement(std::string("T14/threads_wall/") + method_name(method) +
+                                 "/columns=" + std::to_string(columns),
+                             [=] { return bench::measure(method, columns); });
+  return bench::run_measurements(argc, argv);
 }

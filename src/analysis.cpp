@@ -12,7 +12,7 @@ void analyse(const Case& data, Log& log, Store& store) {
   // Read the meshes and hold them against the waves and the memory
   const Meshes meshes = clock.time("mesh", [&] { return prepare_meshes(data, log); });
   const SeaBand band = prepare_seas(data, meshes, log);
-  store.begin(data, meshes.fluid);
+  store.begin(data, meshes.fluid, plan_of(data, meshes));
 
   // Find how the plate moves when it is dry
   log.progress(0.0, "dry modes");

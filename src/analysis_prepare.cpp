@@ -74,6 +74,11 @@ void StageClock::add(const std::string& stage, std::chrono::duration<double> ela
   at->peak_memory = numeric::peak_memory();
 }
 
+Estimate plan_of(const Case& data, const Meshes& meshes) {
+  return estimate(data, meshes.fluid, meshes.own_plate ? &*meshes.own_plate : nullptr,
+                  omp_get_max_threads());
+}
+
 Meshes prepare_meshes(const Case& data, Log& log) {
   Meshes meshes{load_told(data.mesh, log), std::nullopt};
   if (!data.plate_mesh.empty()) meshes.own_plate = load_told(data.plate_mesh.front(), log);
@@ -84,7 +89,7 @@ Meshes prepare_meshes(const Case& data, Log& log) {
   for (const std::string& warning : found.warnings) log.warning(warning);
   require_resolution(data, found);
   require_fit(data, meshes.fluid, meshes.own_plate ? &*meshes.own_plate : nullptr);
-  require_budget(estimate(data, meshes.fluid, omp_get_max_threads()),
+  require_budget(plan_of(data, meshes),
                  numeric::memory_budget(data.memory_limit, numeric::memory_limits()));
   return meshes;
 }

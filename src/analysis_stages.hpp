@@ -5,6 +5,7 @@
 #include <floe/bem/fast_pressure_operator.hpp>
 #include <floe/bem/lattice_pressure_operator.hpp>
 #include <floe/bem/pressure_operator.hpp>
+#include <floe/estimate.hpp>
 #include <floe/hydro/radiation.hpp>
 #include <floe/numeric/memory.hpp>
 #include <floe/plate/static_correction.hpp>
@@ -86,6 +87,8 @@ struct SeaBand {
   bool asked() const { return to > from; }
 };
 
+/// What the run will take.
+Estimate plan_of(const Case& data, const Meshes& meshes);
 Meshes prepare_meshes(const Case& data, Log& log);
 /// With the modes that are known, or else computes them.
 PlateModel prepare_plate(const Case& data, const Meshes& meshes,

@@ -30,17 +30,18 @@ constexpr double kSeaSamples = 9.0;    // of these in memory
 constexpr double kSeaHeadings = 32.0;  // whose wave loads a thread holds
 
 struct Sizes {
-  double nodes, elements, modes, headings, frequencies, outputs;
+  double nodes, elements, plate_nodes, modes, headings, frequencies, outputs;
   double influences;  // section forces at points, each a column of the seas' radiation problem
 };
 
-Sizes sizes_of(const Case& data, const mesh::Q8Mesh& mesh) {
+Sizes sizes_of(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Mesh& plate_mesh) {
   double stations = static_cast<double>(data.points.size()) *
                         (1.0 + static_cast<double>(data.quantities.size())) +
                     static_cast<double>(data.wave_points.size());
   for (const NamedLine& line : data.lines) stations += line.count;
   return {.nodes = static_cast<double>(mesh.node_count()),
           .elements = static_cast<double>(mesh.element_count()),
+          .plate_nodes = static_cast<double>(plate_mesh.node_count()),
           .modes = static_cast<double>(data.mode_count),
           .headings = static_cast<double>(data.heading_deg.size()),
           .frequencies = static_cast<double>(data.omega.size()),
@@ -53,7 +54,7 @@ Sizes sizes_of(const Case& data, const mesh::Q8Mesh& mesh) {
 
 // Sparse factor of a plane mesh by nested dissection: n log n entries, n^1.5 operations
 StageEstimate estimate_modes(const Sizes& s) {
-  const double unknowns = 3.0 * s.nodes;
+  const double unknowns = 3.0 * s.plate_nodes;
   const double factor = 31.0 * unknowns * std::log2(std::max(2.0, unknowns)) / 4.0;
   const double matrices = 2.0 * 60.0 * unknowns;
   const double lanczos = 5.0 * s.modes * unknowns;
@@ -140,8 +141,9 @@ double krylov_memory(const Case& data, const mesh::Q8Mesh& mesh) {
   return std::min(wanted, 0.5 * budget);
 }
 
-Estimate estimate(const Case& data, const mesh::Q8Mesh& mesh, int threads) {
-  const Sizes s = sizes_of(data, mesh);
+Estimate estimate(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Mesh* plate_mesh,
+                  int threads) {
+  const Sizes s = sizes_of(data, mesh, plate_mesh ? *plate_mesh : mesh);
   Estimate needed;
   const SolverMethod method = resolve_method(data, mesh);
   needed.method = method_name(method);

@@ -136,6 +136,8 @@ class Log {
   virtual void progress(double share, const std::string& now) = 0;
 };
 
+struct Estimate;
+
 /// Where results go. Called in this order: once `begin`, once `modes`, each frequency by rising ω,
 /// once `finish`. With seas, after the frequencies: once `begin_seas`, the transfer functions by
 /// rising ω, each sea and mean heading as in the case, once `end_seas`.
@@ -152,7 +154,7 @@ class Store {
   virtual SeaTransfer known_transfer(std::size_t) { return {}; }
   virtual SeaObservation known_observation() { return {}; }
 
-  virtual void begin(const Case& data, const mesh::Q8Mesh& mesh) = 0;
+  virtual void begin(const Case& data, const mesh::Q8Mesh& mesh, const Estimate& plan) = 0;
   /// `mesh` is that of the modes: the plate's own, or else the fluid's.
   virtual void modes(const plate::DryModes& modes, const mesh::Q8Mesh& mesh) = 0;
   virtual void frequency(const FrequencyResult& result) = 0;

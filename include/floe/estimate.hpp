@@ -34,8 +34,10 @@ SolverMethod resolve_method(const Case& data, const mesh::Q8Mesh& mesh);
 double krylov_memory(const Case& data, const mesh::Q8Mesh& mesh);
 
 /// Sizes follow from the counts of the case; times from fixed rates of a current core (a factor of
-/// two either way), so that the same case gives the same plan on every machine. `threads` ≥ 1.
-Estimate estimate(const Case& data, const mesh::Q8Mesh& mesh, int threads);
+/// two either way), so that the same case gives the same plan on every machine. `plate_mesh` is the
+/// plate's own mesh, null if it shares the fluid's; `threads` ≥ 1.
+Estimate estimate(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Mesh* plate_mesh,
+                  int threads);
 
 /// Throws BudgetError naming the numbers and the knobs when the estimate exceeds `budget` [byte].
 void require_budget(const Estimate& needed, double budget);

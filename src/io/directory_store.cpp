@@ -52,7 +52,7 @@ class DirectoryStore::Impl {
   auto known(const std::string& name, Decode decode) -> std::optional<decltype(decode(Record()))>;
   bool knows_all_transfers(const SeaGridReport& grid);
 
-  void begin(const Case& given, const mesh::Q8Mesh& given_mesh);
+  void begin(const Case& given, const mesh::Q8Mesh& given_mesh, const Estimate& plan);
   void modes(const plate::DryModes& dry, const mesh::Q8Mesh& mesh);
   void frequency(const FrequencyResult& result);
   void begin_seas(const SeaObservation& observation, const SeaGridReport& planned);
@@ -88,7 +88,8 @@ class DirectoryStore::Impl {
   std::size_t transfers_ = 0;  // stored so far
 };
 
-void DirectoryStore::Impl::begin(const Case& given, const mesh::Q8Mesh& given_mesh) {
+void DirectoryStore::Impl::begin(const Case& given, const mesh::Q8Mesh& given_mesh,
+                                 const Estimate& plan) {
   data_ = given;
   mesh_ = &given_mesh;
 
@@ -100,7 +101,7 @@ void DirectoryStore::Impl::begin(const Case& given, const mesh::Q8Mesh& given_me
   account.pieces = given_mesh.piece_count();
   account.area = given_mesh.area();
   account.threads = omp_get_max_threads();
-  account.plan = estimate(given, given_mesh, account.threads);
+  account.plan = plan;
   account.warnings = preflight(given, given_mesh).warnings;
   account.files = product_names();
   if (!data_.title.empty()) remarks_.push_back(data_.title);
@@ -311,7 +312,9 @@ SeaObservation DirectoryStore::known_observation() {
 
 const std::vector<std::string>& DirectoryStore::damaged_records() const { return impl_->damaged; }
 
-void DirectoryStore::begin(const Case& data, const mesh::Q8Mesh& mesh) { impl_->begin(data, mesh); }
+void DirectoryStore::begin(const Case& data, const mesh::Q8Mesh& mesh, const Estimate& plan) {
+  impl_->begin(data, mesh, plan);
+}
 
 void DirectoryStore::modes(const plate::DryModes& modes, const mesh::Q8Mesh& mesh) {
   impl_->modes(modes, mesh);

@@ -1,5 +1,6 @@
 #include "program/commands.hpp"
 
+#include <floe/bem/element_lattice.hpp>
 #include <floe/estimate.hpp>
 #include <floe/numeric/memory.hpp>
 #include <floe/preflight.hpp>
@@ -8,6 +9,7 @@
 #include <omp.h>
 
 #include <optional>
+#include <vector>
 
 namespace floe::program {
 namespace {
@@ -41,11 +43,30 @@ void tell_resolution(const Preflight& found, Account& account) {
   account.info("");
 }
 
-void tell_needs(const Estimate& needed, double budget, Account& account) {
+// What the methods that were not chosen would need
+std::vector<Estimate> estimate_others(const Case& data, const mesh::Q8Mesh& mesh,
+                                      const mesh::Q8Mesh* plate_mesh, const Estimate& chosen) {
+  std::vector<Estimate> others;
+  for (const SolverMethod method :
+       {SolverMethod::kDense, SolverMethod::kLattice, SolverMethod::kPfft, SolverMethod::kFmm}) {
+    if (method_name(method) == chosen.method) continue;
+    if (method == SolverMethod::kLattice && !bem::find_element_lattice(mesh)) continue;
+    Case other = data;
+    other.method = method;
+    others.push_back(estimate(other, mesh, plate_mesh, omp_get_max_threads()));
+  }
+  return others;
+}
+
+void tell_needs(const Estimate& needed, const std::vector<Estimate>& others, double budget,
+                Account& account) {
   account.fact("method", needed.method);
   for (const StageEstimate& stage : needed.stages)
     account.fact("", fmt::format("{:<12} {:>8}  about {}", stage.stage, format_bytes(stage.memory),
                                  format_duration(stage.seconds)));
+  for (const Estimate& other : others)
+    account.fact("", fmt::format("by {:<9} {:>8}  about {}", other.method,
+                                 format_bytes(other.memory), format_duration(other.seconds)));
   account.fact("memory",
                fmt::format("{} of {}", format_bytes(needed.memory), format_bytes(budget)));
   account.fact("time", fmt::format("about {} on {}", format_duration(needed.seconds),
@@ -64,18 +85,19 @@ void check_case(const RunOptions& options) {
   if (!data.plate_mesh.empty()) plate = load_mesh(data.plate_mesh.front());
 
   // Tell what was found
-  const Preflight found = preflight(data, fluid.mesh, plate ? &plate->mesh : nullptr);
-  const Estimate needed = estimate(data, fluid.mesh, omp_get_max_threads());
+  const Preflight found = preflight(data, fluid.mesh, own);
+  const mesh::Q8Mesh* const own = plate ? &plate->mesh : nullptr;
+  const Estimate needed = estimate(data, fluid.mesh, own, omp_get_max_threads());
   const double budget = numeric::memory_budget(data.memory_limit, numeric::memory_limits());
   tell_mesh("mesh", fluid, found.quality, account);
   if (plate) tell_mesh("plate mesh", *plate, mesh::measure_quality(plate->mesh), account);
   tell_resolution(found, account);
-  tell_needs(needed, budget, account);
+  tell_needs(needed, estimate_others(data, fluid.mesh, own, needed), budget, account);
   for (const std::string& warning : found.warnings) account.warning(warning);
   account.show_warnings();
 
   // Refuse what a run would refuse
-  require_fit(data, fluid.mesh, plate ? &plate->mesh : nullptr);
+  require_fit(data, fluid.mesh, own);
   require_resolution(data, found);
   require_budget(needed, budget);
 }

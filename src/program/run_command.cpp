@@ -44,8 +44,7 @@ class ToldStore final : public Store {
   SeaTransfer known_transfer(std::size_t place) override { return store_.known_transfer(place); }
   SeaObservation known_observation() override { return store_.known_observation(); }
 
-  void begin(const Case& data, const mesh::Q8Mesh& mesh) override {
-    const Estimate plan = estimate(data, mesh, omp_get_max_threads());
+  void begin(const Case& data, const mesh::Q8Mesh& mesh, const Estimate& plan) override {
     account_.fact("mesh", fmt::format("{}, {}, {}, {:.6g} m²", counted(mesh.node_count(), "node"),
                                       counted(mesh.element_count(), "element"),
                                       counted(mesh.piece_count(), "piece"), mesh.area()));
@@ -53,7 +52,7 @@ class ToldStore final : public Store {
     account_.fact("plan", fmt::format("{}, {}, about {} and {}", plan.method,
                                       counted(omp_get_max_threads(), "thread"),
                                       format_duration(plan.seconds), format_bytes(plan.memory)));
-    store_.begin(data, mesh);
+    store_.begin(data, mesh, plan);
     stop_if_asked();
   }
 

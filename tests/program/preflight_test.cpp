@@ -89,12 +89,12 @@ TEST(Estimate, ChargesTheDenseMatrixAndItsFactors) {
   data.method = SolverMethod::kDense;
   const mesh::Q8Mesh mesh = rectangle(300.0, 60.0, 50, 10);
   const double matrices = 32.0 * 1621.0 * 1621.0;  // the matrix and its factors
-  const Estimate needed = estimate(data, mesh, 1);
+  const Estimate needed = estimate(data, mesh, nullptr, 1);
   EXPECT_EQ(needed.nodes, 1621);
   EXPECT_EQ(needed.method, "dense");
   EXPECT_GE(needed.memory, matrices);
   EXPECT_LE(needed.memory, 2.0 * matrices);
-  EXPECT_LT(estimate(data, mesh, 2).seconds, needed.seconds);
+  EXPECT_LT(estimate(data, mesh, nullptr, 2).seconds, needed.seconds);
 }
 
 TEST(Estimate, ChoosesTheMethodByTheMesh) {

@@ -23,7 +23,7 @@ struct RecordedRun {
 class RecordingStore final : public Store {
  public:
   explicit RecordingStore(RecordedRun& run) : run_(run) {}
-  void begin(const Case& data, const mesh::Q8Mesh&) override { run_.data = data; }
+  void begin(const Case& data, const mesh::Q8Mesh&, const Estimate&) override { run_.data = data; }
   void modes(const plate::DryModes& modes, const mesh::Q8Mesh&) override { run_.modes = modes; }
   void frequency(const FrequencyResult& result) override { run_.frequencies.push_back(result); }
   void begin_seas(const SeaObservation& given, const SeaGridReport&) override {

@@ -44,7 +44,7 @@ class DirectoryStore final : public Store {
 
   /// With kResume throws StoreError, naming what differs, when the earlier run was of another case.
   /// Keeps a view of `mesh` until `finish` or `stop`.
-  void begin(const Case& data, const mesh::Q8Mesh& mesh) override;
+  void begin(const Case& data, const mesh::Q8Mesh& mesh, const Estimate& plan) override;
   void modes(const plate::DryModes& modes, const mesh::Q8Mesh& mesh) override;
   void frequency(const FrequencyResult& result) override;
   void begin_seas(const SeaObservation& observation, const SeaGridReport& planned) override;
