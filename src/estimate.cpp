@@ -75,15 +75,15 @@ StageEstimate estimate_dense_radiation(const Sizes& s, int threads) {
           .seconds = s.frequencies * (assembly + factor + solve) / threads};
 }
 
-// Cost of one application, of a set-up and of the bytes held, a node
+// Cost a node of one application, of a set-up a frequency and of the plan, and the bytes held
 struct MethodCost {
-  double application, setup, bytes;  // [s] of one thread, [s] of one thread, [byte]
+  double application, setup, plan, bytes;  // [s] of one thread, three times; [byte]
 };
 
 MethodCost cost_of(SolverMethod method) {
-  if (method == SolverMethod::kLattice) return {1.5e-7, 1.5e-6, 500.0};
-  if (method == SolverMethod::kPfft) return {6e-7, 1.5e-4, 4500.0};
-  return {1.1e-6, 1.6e-4, 7000.0};
+  if (method == SolverMethod::kLattice) return {1.5e-7, 6e-7, 1e-7, 500.0};
+  if (method == SolverMethod::kPfft) return {2.5e-7, 6e-6, 8.5e-5, 4500.0};
+  return {6e-7, 1.9e-5, 1.05e-4, 7000.0};
 }
 
 StageEstimate estimate_iterative_radiation(const Sizes& s, SolverMethod method, double krylov,
@@ -96,7 +96,7 @@ StageEstimate estimate_iterative_radiation(const Sizes& s, SolverMethod method, 
   return {.stage = "radiation",
           .memory = s.nodes * (cost.bytes + kBytesOfIntegrals) + krylov +
                     16.0 * s.nodes * (4.0 * s.modes + 2.0 * s.headings),
-          .seconds = s.frequencies * work / threads};
+          .seconds = (s.nodes * cost.plan + s.frequencies * work) / threads};
 }
 
 StageEstimate estimate_response(const Sizes& s) {

@@ -85,8 +85,8 @@ void check_case(const RunOptions& options) {
   if (!data.plate_mesh.empty()) plate = load_mesh(data.plate_mesh.front());
 
   // Tell what was found
-  const Preflight found = preflight(data, fluid.mesh, own);
   const mesh::Q8Mesh* const own = plate ? &plate->mesh : nullptr;
+  const Preflight found = preflight(data, fluid.mesh, own);
   const Estimate needed = estimate(data, fluid.mesh, own, omp_get_max_threads());
   const double budget = numeric::memory_budget(data.memory_limit, numeric::memory_limits());
   tell_mesh("mesh", fluid, found.quality, account);
