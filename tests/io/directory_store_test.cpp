@@ -1,6 +1,7 @@
 #include "fabricated_results.hpp"
 #include "test_case.hpp"
 
+#include <floe/estimate.hpp>
 #include <floe/io/directory_store.hpp>
 #include <floe/numeric/error.hpp>
 
