@@ -47,7 +47,7 @@ std::vector<std::vector<std::string>> rows_of(const std::string& text) {
 void store_all(const std::filesystem::path& directory, Existing existing = Existing::kRefuse) {
   const mesh::Q8Mesh mesh = small_mesh();
   DirectoryStore store(directory, existing);
-  store.begin(small_case(), mesh, {});
+  store.begin(small_case(), mesh, estimate(small_case(), mesh, nullptr, 1));
   store.modes(small_modes(), mesh);
   for (const double omega : small_case().omega) store.frequency(small_result(omega));
   store.finish({{"radiation", 1.5, 1e6}});
@@ -165,7 +165,7 @@ TEST(DirectoryStore, KeepsHostileTitlesOnOneCommentLine) {
   Case data = small_case();
   data.title = "<script>\n0.4,\"=cmd()\"";
   DirectoryStore store(folder.path() / "out");
-  store.begin(data, mesh, {});
+  store.begin(data, mesh, estimate(data, mesh, nullptr, 1));
   store.modes(small_modes(), mesh);
   for (const double omega : data.omega) store.frequency(small_result(omega));
   store.finish({});
@@ -178,7 +178,7 @@ TEST(DirectoryStore, ShowsTablesOnlyWhenTheyAreComplete) {
   const TestFolder folder;
   const mesh::Q8Mesh mesh = small_mesh();
   DirectoryStore store(folder.path() / "out");
-  store.begin(small_case(), mesh, {});
+  store.begin(small_case(), mesh, estimate(small_case(), mesh, nullptr, 1));
   store.frequency(small_result(0.4));
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "out/rao_points.csv"));
   EXPECT_EQ(nlohmann::json::parse(folder.read("out/run.json")).at("status"), "running");
@@ -193,7 +193,7 @@ TEST(DirectoryStore, LeavesNothingOfARunWithoutResults) {
     DirectoryStore untouched(folder.path() / "a");
     const mesh::Q8Mesh mesh = small_mesh();
     DirectoryStore store(folder.path() / "b");
-    store.begin(small_case(), mesh, {});
+    store.begin(small_case(), mesh, estimate(small_case(), mesh, nullptr, 1));
     store.modes(small_modes(), mesh);
     store.stop("failed");
   }
@@ -204,7 +204,7 @@ TEST(DirectoryStore, NeverWritesANumberThatIsNotFinite) {
   const TestFolder folder;
   const mesh::Q8Mesh mesh = small_mesh();
   DirectoryStore store(folder.path() / "out");
-  store.begin(small_case(), mesh, {});
+  store.begin(small_case(), mesh, estimate(small_case(), mesh, nullptr, 1));
   store.modes(small_modes(), mesh);
   store.frequency(small_result(0.4));
   FrequencyResult bad = small_result(0.5);
@@ -246,7 +246,7 @@ TEST(DirectoryStore, ReplacesItsOwnFilesOnly) {
     DirectoryStore store(folder.path() / "out", Existing::kReplace);
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "out/rao_points.csv"))
         << "nothing is deleted before the new run begins";
-    store.begin(small_case(), mesh, {});
+    store.begin(small_case(), mesh, estimate(small_case(), mesh, nullptr, 1));
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "out/rao_points.csv"));
     store.stop("failed");
   }
@@ -306,7 +306,7 @@ TEST(DirectoryStore, ReplacesASymbolicLinkAndNotItsTarget) {
   folder.write("target", "mine");
   const mesh::Q8Mesh mesh = small_mesh();
   DirectoryStore store(folder.path() / "out");
-  store.begin(small_case(), mesh, {});
+  store.begin(small_case(), mesh, estimate(small_case(), mesh, nullptr, 1));
   store.modes(small_modes(), mesh);
   for (const double omega : small_case().omega) store.frequency(small_result(omega));
   std::filesystem::create_symlink(folder.path() / "target", folder.path() / "out/rao_points.csv");
@@ -338,7 +338,7 @@ TEST(DirectoryStore, KeepsFinishedFrequenciesWhenADiskFills) {
   const TestFolder folder;
   const mesh::Q8Mesh mesh = small_mesh();
   DirectoryStore store(folder.path() / "out");
-  store.begin(small_case(), mesh, {});
+  store.begin(small_case(), mesh, estimate(small_case(), mesh, nullptr, 1));
   store.modes(small_modes(), mesh);
   store.frequency(small_result(0.4));
   const auto length = std::filesystem::file_size(folder.path() / "out/run.json");
