@@ -72,7 +72,7 @@ bench::Figures measure(const Case& c, Preconditioning kind, double elements_per_
           .seconds = omp_get_wtime() - start - setup,
           .error = r.true_residual.maxCoeff(),
           .bytes = 16.0 * static_cast<double>(b.rows() * r.iterations),
-          .more = {{"iterations", static_cast<double>(r.iterations)},
+          .more = {{"steps", static_cast<double>(r.iterations)},
                    {"applications_a_mode", double(r.applications) / double(kColumns)},
                    {"setup_s", setup},
                    {"kL", c.kl},
