@@ -58,13 +58,14 @@ class Batch {
   void flush(const Sink& sink) {
     const std::size_t size = FarRules::size(tier_), points = count_ * size;
     fill_distances(target_, x_.data(), y_.data(), points, distance_.data());
-    kernel_.evaluate({distance_.data(), points}, value_.data());
+    auto* const value = reinterpret_cast<Complex*>(numbers_.data());
+    kernel_.evaluate({distance_.data(), points}, value);
     for (int plane = 0; plane < Kernel::kValues; ++plane)
-      scale_values(area_.data(), points, value_.data() + plane * points);
+      scale_values(area_.data(), points, value + plane * points);
     for (int i = 0; i < count_; ++i) {
       Sums<Kernel> sum;
       for (int plane = 0; plane < Kernel::kValues; ++plane)
-        sum_weighted(rules_.shape(tier_), value_.data() + plane * points + i * size, size,
+        sum_weighted(rules_.shape(tier_), value + plane * points + i * size, size,
                      sum.data() + 8 * plane);
       sink(slots_[i], sum);
     }
@@ -79,7 +80,7 @@ class Batch {
   int count_ = 0;
   std::array<Index, kBatchPoints> slots_;
   std::array<double, kBatchPoints> x_, y_, area_, distance_;
-  std::array<Complex, Kernel::kValues * kBatchPoints> value_;
+  std::array<double, 2 * Kernel::kValues * kBatchPoints> numbers_;  // re, im of values; not cleared
 };
 
 // What a target needs: the rules, and scratch
