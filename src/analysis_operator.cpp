@@ -49,7 +49,9 @@ std::unique_ptr<const bem::PressureOperator> make_operator(const Case& data,
     action = std::make_unique<const bem::FastPressureOperator>(plans.sums, green);
   krylov::GmresOptions options;
   options.tolerance = data.tolerance;
-  options.memory = krylov_memory(data, fluid.integrals.mesh());
+  const KrylovPlan space = plan_krylov(data, fluid.integrals.mesh());
+  options.memory = space.memory;
+  if (space.in_float) options.basis = krylov::GmresOptions::Basis::single_precision;
   return std::make_unique<const bem::IterativePressureOperator>(
       std::move(action),
       std::make_unique<const bem::DampedWavePreconditioner>(fluid.integrals.mesh(), green.exact()),

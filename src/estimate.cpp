@@ -133,12 +133,14 @@ SolverMethod resolve_method(const Case& data, const mesh::Q8Mesh& mesh) {
   return bem::find_element_lattice(mesh) ? SolverMethod::kLattice : SolverMethod::kPfft;
 }
 
-double krylov_memory(const Case& data, const mesh::Q8Mesh& mesh) {
-  // Some 20 directions a column, and scratch beside them; several steps where the budget is small
+KrylovPlan plan_krylov(const Case& data, const mesh::Q8Mesh& mesh) {
+  // Some 20 directions a column, and scratch beside them. Where the budget is small, single
+  // precision first: blocks of fewer columns need twice the applications
   const double columns = static_cast<double>(data.mode_count);
   const double wanted = 16.0 * static_cast<double>(mesh.node_count()) * columns * 32.0;
-  const double budget = numeric::memory_budget(data.memory_limit, numeric::memory_limits());
-  return std::min(wanted, 0.5 * budget);
+  const double budget = 0.5 * numeric::memory_budget(data.memory_limit, numeric::memory_limits());
+  const bool in_float = wanted > budget;
+  return {.memory = std::min(in_float ? 0.5 * wanted : wanted, budget), .in_float = in_float};
 }
 
 Estimate estimate(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Mesh* plate_mesh,
@@ -151,7 +153,7 @@ Estimate estimate(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Mesh
   const StageEstimate radiation =
       method == SolverMethod::kDense
           ? estimate_dense_radiation(s, std::max(1, threads))
-          : estimate_iterative_radiation(s, method, krylov_memory(data, mesh),
+          : estimate_iterative_radiation(s, method, plan_krylov(data, mesh).memory,
                                          std::max(1, threads));
   needed.stages = {estimate_modes(s), radiation, estimate_response(s)};
   if (!data.seas.empty() || (data.sea_grid.from && data.sea_grid.to))

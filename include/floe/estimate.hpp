@@ -29,9 +29,12 @@ struct Estimate {
 /// FMM.
 SolverMethod resolve_method(const Case& data, const mesh::Q8Mesh& mesh);
 
-/// Memory that the Krylov space of an iterative solution may take [byte]: what all modes need
-/// together, at most half of the budget.
-double krylov_memory(const Case& data, const mesh::Q8Mesh& mesh);
+/// The Krylov space of an iterative solution.
+struct KrylovPlan {
+  double memory = 0.0;    ///< what all modes need together, at most half of the budget [byte]
+  bool in_float = false;  ///< kept in single precision, where double does not fit
+};
+KrylovPlan plan_krylov(const Case& data, const mesh::Q8Mesh& mesh);
 
 /// Sizes follow from the counts of the case; times from fixed rates of a current core (a factor of
 /// two either way), so that the same case gives the same plan on every machine. `plate_mesh` is the
