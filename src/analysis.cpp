@@ -15,10 +15,12 @@ void analyse(const Case& data, Log& log, Store& store) {
   store.begin(data, meshes.fluid, plan_of(data, meshes));
 
   // Find how the plate moves when it is dry
-  log.progress(0.0, "dry modes");
-  const PlateModel plate =
-      clock.time("dry modes", [&] { return prepare_plate(data, meshes, store.known_modes()); });
-  store.modes(plate.modes, meshes.plate());
+  log.progress(0.0, "dry plate");
+  const bool modal = data.route == SolverRoute::kModal;
+  const PlateModel plate = clock.time(modal ? "dry modes" : "plate", [&] {
+    return prepare_plate(data, meshes, modal ? store.known_modes() : std::nullopt);
+  });
+  if (modal) store.modes(plate.modes, meshes.plate());
 
   // Prepare what no frequency changes, once something is to be solved
   std::optional<FluidModel> prepared;
@@ -34,8 +36,9 @@ void analyse(const Case& data, Log& log, Store& store) {
   for (std::size_t i = 0; i < data.omega.size(); ++i) {
     log.progress(static_cast<double>(i) / count,
                  "frequency " + std::to_string(i + 1) + " of " + std::to_string(data.omega.size()));
+    const auto solve = modal ? solve_frequency : solve_frequency_direct;
     const std::optional<FrequencyResult> known = store.known_frequency(i);
-    store.frequency(known ? *known : solve_frequency(data, plate, fluid(), data.omega[i], clock));
+    store.frequency(known ? *known : solve(data, plate, fluid(), data.omega[i], clock));
   }
 
   // Put the plate into the seas

@@ -13,26 +13,6 @@
 namespace floe {
 namespace {
 
-// Headings whose node fields are wanted at this frequency; nothing asked for means the first
-// heading at ten frequencies at most, evenly spread
-std::vector<Index> field_headings(const Case& data, double omega) {
-  std::vector<Index> wanted;
-  if (data.fields.empty()) {
-    const auto count = static_cast<Index>(data.omega.size());
-    const auto at = std::find(data.omega.begin(), data.omega.end(), omega) - data.omega.begin();
-    const Index most = std::min<Index>(10, count);
-    for (Index i = 0; i < most; ++i)
-      if (at == (most > 1 ? i * (count - 1) / (most - 1) : 0)) wanted.push_back(0);
-    return wanted;
-  }
-  for (const FieldRequest& request : data.fields)
-    for (std::size_t b = 0; b < data.heading_deg.size(); ++b)
-      if (request.heading_deg == data.heading_deg[b] &&
-          std::abs(request.omega - omega) <= 1e-9 * omega)
-        wanted.push_back(static_cast<Index>(b));
-  return wanted;
-}
-
 // Whether the pressure of every heading is needed
 bool wants_pressure(const Case& data) {
   return !data.wave_points.empty() ||
@@ -75,18 +55,8 @@ void add_static_correction(const Case& data, const PlateModel& plate, const Flui
   const MatXcd rest = plate.correction->displacement(load, result.omega, result.amplitudes);
   for (std::size_t q = 0; q < data.quantities.size(); ++q)
     if (response::is_section_force(data.quantities[q]))
-      result.point_quantities[q] += plate.points.evaluate_displacement(data.quantities[q], rest);
-}
-
-// Pressure quantities at the points
-void add_pressures(const Case& data, const FluidModel& fluid, const MatXcd& pressure,
-                   FrequencyResult& result) {
-  for (std::size_t q = 0; q < data.quantities.size(); ++q) {
-    if (response::is_structural(data.quantities[q])) continue;
-    const bool relative = data.quantities[q] == response::Quantity::kRelativeElevation;
-    const double scale = relative ? 1.0 / (data.water.density * data.water.gravity) : 1.0;
-    result.point_quantities[q] = scale * (fluid.at_points.cast<Complex>() * pressure);
-  }
+      result.point_quantities[q] +=
+          plate.points.evaluate_displacement(data.quantities[q], result.omega, rest);
 }
 
 // Fills in what needs the pressure on the plate: section forces, pressures, wave points, node
@@ -109,12 +79,7 @@ void add_pressure_results(const Case& data, const PlateModel& plate, const Fluid
 
   if (all) add_pressures(data, fluid, pressure, result);
   if (plate.correction) add_static_correction(data, plate, fluid, pressure, result);
-  if (!data.wave_points.empty()) {
-    const MatXcd incident =
-        hydro::incident_elevation(fluid.wave_points, result.wavenumber, fluid.heading);
-    result.wave_elevation = hydro::wave_elevation(fluid.integrals, green, data.water,
-                                                  fluid.wave_points, incident, pressure);
-  }
+  add_wave_elevation(data, fluid, green, pressure, result);
   for (const Index b : fields) {
     const auto column = std::find(headings.begin(), headings.end(), b) - headings.begin();
     result.fields.push_back(make_field(plate, result.omega, data.heading_deg[b],
@@ -135,6 +100,43 @@ void read_off_modes(const Case& data, const PlateModel& plate, FrequencyResult& 
 }
 
 }  // namespace
+
+std::vector<Index> field_headings(const Case& data, double omega) {
+  std::vector<Index> wanted;
+  if (data.fields.empty()) {
+    const auto count = static_cast<Index>(data.omega.size());
+    const auto at = std::find(data.omega.begin(), data.omega.end(), omega) - data.omega.begin();
+    const Index most = std::min<Index>(10, count);
+    for (Index i = 0; i < most; ++i)
+      if (at == (most > 1 ? i * (count - 1) / (most - 1) : 0)) wanted.push_back(0);
+    return wanted;
+  }
+  for (const FieldRequest& request : data.fields)
+    for (std::size_t b = 0; b < data.heading_deg.size(); ++b)
+      if (request.heading_deg == data.heading_deg[b] &&
+          std::abs(request.omega - omega) <= 1e-9 * omega)
+        wanted.push_back(static_cast<Index>(b));
+  return wanted;
+}
+
+void add_pressures(const Case& data, const FluidModel& fluid, const MatXcd& pressure,
+                   FrequencyResult& result) {
+  for (std::size_t q = 0; q < data.quantities.size(); ++q) {
+    if (response::is_structural(data.quantities[q])) continue;
+    const bool relative = data.quantities[q] == response::Quantity::kRelativeElevation;
+    const double scale = relative ? 1.0 / (data.water.density * data.water.gravity) : 1.0;
+    result.point_quantities[q] = scale * (fluid.at_points.cast<Complex>() * pressure);
+  }
+}
+
+void add_wave_elevation(const Case& data, const FluidModel& fluid, const green::GreenTable& green,
+                        const MatXcd& pressure, FrequencyResult& result) {
+  if (data.wave_points.empty()) return;
+  const MatXcd incident =
+      hydro::incident_elevation(fluid.wave_points, result.wavenumber, fluid.heading);
+  result.wave_elevation = hydro::wave_elevation(fluid.integrals, green, data.water,
+                                                fluid.wave_points, incident, pressure);
+}
 
 // The residual that a solution must have. A direct one is good to rounding times the condition
 // number, which stays below 1e4

@@ -35,27 +35,35 @@ FluidOperators prepare_operators(const Case& data, const mesh::Q8Mesh& mesh, dou
   return plans;
 }
 
-std::unique_ptr<const bem::PressureOperator> make_operator(const Case& data,
-                                                           const FluidModel& fluid,
-                                                           const green::GreenTable& green) {
+std::unique_ptr<const krylov::LinearOperator> make_action(const FluidModel& fluid,
+                                                          const green::GreenTable& green) {
   const FluidOperators& plans = fluid.operators;
   if (plans.method == SolverMethod::kDense)
     return std::make_unique<const bem::DensePressureOperator>(fluid.integrals, green);
-
-  std::unique_ptr<const krylov::LinearOperator> action;
   if (plans.lattice)
-    action = std::make_unique<const bem::LatticePressureOperator>(plans.lattice, green);
-  else
-    action = std::make_unique<const bem::FastPressureOperator>(plans.sums, green);
+    return std::make_unique<const bem::LatticePressureOperator>(plans.lattice, green);
+  return std::make_unique<const bem::FastPressureOperator>(plans.sums, green);
+}
+
+krylov::GmresOptions iteration_options(const Case& data, const mesh::Q8Mesh& mesh) {
   krylov::GmresOptions options;
   options.tolerance = data.tolerance;
-  const KrylovPlan space = plan_krylov(data, fluid.integrals.mesh());
+  const KrylovPlan space = plan_krylov(data, mesh);
   options.memory = space.memory;
   if (space.in_float) options.basis = krylov::GmresOptions::Basis::single_precision;
+  return options;
+}
+
+std::unique_ptr<const bem::PressureOperator> make_operator(const Case& data,
+                                                           const FluidModel& fluid,
+                                                           const green::GreenTable& green) {
+  if (fluid.operators.method == SolverMethod::kDense)
+    return std::make_unique<const bem::DensePressureOperator>(fluid.integrals, green);
+  const mesh::Q8Mesh& mesh = fluid.integrals.mesh();
   return std::make_unique<const bem::IterativePressureOperator>(
-      std::move(action),
-      std::make_unique<const bem::DampedWavePreconditioner>(fluid.integrals.mesh(), green.exact()),
-      options, method_name(plans.method));
+      make_action(fluid, green),
+      std::make_unique<const bem::DampedWavePreconditioner>(mesh, green.exact()),
+      iteration_options(data, mesh), method_name(fluid.operators.method));
 }
 
 }  // namespace floe

@@ -60,6 +60,14 @@ mesh::Q8Mesh load_told(const MeshSource& source, Log& log) {
   return std::move(file.mesh);
 }
 
+// Of the direct route
+plate::DryModes no_modes(const mesh::Q8Mesh& mesh) {
+  plate::DryModes none;
+  none.shape.resize(plate::kUnknownsPerNode * mesh.node_count(), 0);
+  none.modal_mass.resize(0, 0);
+  return none;
+}
+
 bool wants_section_forces(const Case& data) {
   return std::any_of(data.quantities.begin(), data.quantities.end(), response::is_section_force);
 }
@@ -100,18 +108,22 @@ PlateModel prepare_plate(const Case& data, const Meshes& meshes,
   const SparseMatrix at_points =
       response::interpolation_to(mesh, positions_of(data.points), names_of(data.points));
   const SparseMatrix at_lines = interpolation_to_lines(mesh, data.lines);
-  plate::DryModes modes =
-      known ? std::move(*known) : plate::dry_modes(mesh, data.plate, {.count = data.mode_count});
+  const bool direct = data.route == SolverRoute::kDirect;
+  plate::DryModes modes = direct  ? no_modes(mesh)
+                          : known ? std::move(*known)
+                                  : plate::dry_modes(mesh, data.plate, {.count = data.mode_count});
   plate::DryModes fluid_modes =
       meshes.own_plate ? plate::interpolate_modes(modes, mesh, meshes.fluid) : modes;
   response::ModalBasis points(mesh, data.plate, modes, at_points, data.quantities);
   response::ModalBasis lines(mesh, data.plate, modes, at_lines, {});
   std::optional<plate::StaticCorrection> correction;
-  if (wants_section_forces(data)) correction.emplace(mesh, data.plate, modes);
+  if (wants_section_forces(data) && !direct) correction.emplace(mesh, data.plate, modes);
   SparseMatrix from_plate;
   if (meshes.own_plate) from_plate = interpolation_to_nodes(mesh, meshes.fluid);
-  return {std::move(modes), std::move(fluid_modes), std::move(points),
-          std::move(lines), std::move(correction),  std::move(from_plate)};
+  std::optional<plate::PlateMatrices> matrices;
+  if (direct) matrices = plate::assemble_plate(mesh, data.plate);
+  return {std::move(modes),      std::move(fluid_modes), std::move(points),  std::move(lines),
+          std::move(correction), std::move(from_plate),  std::move(matrices)};
 }
 
 FluidModel prepare_fluid(const Case& data, const Meshes& meshes, const PlateModel& plate,

@@ -7,7 +7,9 @@
 #include <floe/bem/pressure_operator.hpp>
 #include <floe/estimate.hpp>
 #include <floe/hydro/radiation.hpp>
+#include <floe/krylov/gmres.hpp>
 #include <floe/numeric/memory.hpp>
+#include <floe/plate/mindlin.hpp>
 #include <floe/plate/static_correction.hpp>
 #include <floe/response/modal_basis.hpp>
 
@@ -59,6 +61,7 @@ struct PlateModel {
   response::ModalBasis lines;
   std::optional<plate::StaticCorrection> correction;  ///< where section forces are wanted
   SparseMatrix to_fluid;  ///< from the plate's own mesh to the fluid's nodes; empty if they are one
+  std::optional<plate::PlateMatrices> matrices;  ///< on the direct route, which has no modes
 };
 
 /// What an operator needs at every frequency, according to the method.
@@ -100,8 +103,25 @@ FluidModel prepare_fluid(const Case& data, const Meshes& meshes, const PlateMode
 std::unique_ptr<const bem::PressureOperator> make_operator(const Case& data,
                                                            const FluidModel& fluid,
                                                            const green::GreenTable& green);
+/// I + κ𝒢 by the fast operator of the plan, or dense without a factorisation.
+std::unique_ptr<const krylov::LinearOperator> make_action(const FluidModel& fluid,
+                                                          const green::GreenTable& green);
+/// How the iteration keeps its space.
+krylov::GmresOptions iteration_options(const Case& data, const mesh::Q8Mesh& mesh);
 FrequencyResult solve_frequency(const Case& data, const PlateModel& plate, const FluidModel& fluid,
                                 double omega, StageClock& clock);
+/// The same by one coupled equation (C.4) without modes, one column a heading.
+FrequencyResult solve_frequency_direct(const Case& data, const PlateModel& plate,
+                                       const FluidModel& fluid, double omega, StageClock& clock);
+/// Headings whose node fields are wanted at a frequency; nothing asked for means the first heading
+/// at ten frequencies at most, evenly spread.
+std::vector<Index> field_headings(const Case& data, double omega);
+/// Pressure and relative elevation at the points from the pressure of all headings.
+void add_pressures(const Case& data, const FluidModel& fluid, const MatXcd& pressure,
+                   FrequencyResult& result);
+/// Waves around the plate from the same.
+void add_wave_elevation(const Case& data, const FluidModel& fluid, const green::GreenTable& green,
+                        const MatXcd& pressure, FrequencyResult& result);
 
 /// Chooses the band and holds it against every sea: warns where more than 2 % of m0 lie outside,
 /// throws DataError for more than 5 % unless the sea allows it.

@@ -20,10 +20,11 @@ constexpr double kSparseRate = 2e9;        // sparse Cholesky and its solves [fl
 constexpr double kBytesOfProgram = 5e7;    // code, libraries, tables
 constexpr double kPointsPerElement = 9.0;  // far quadrature
 constexpr double kNearWork = 2000.0;       // kernel evaluations of the near elements, one node
-constexpr double kApplicationsPerColumn = 15.0;  // of a fast operator, preconditioned
-constexpr double kBytesOfIntegrals = 1000.0;     // rules, locator and sources, a node
-constexpr double kLargestDense = 500.0;          // nodes up to which `auto` is dense
-constexpr double kLanczosSolves = 4.0;           // solves per mode
+constexpr double kApplicationsPerColumn = 15.0;   // of a fast operator, preconditioned
+constexpr double kApplicationsPerHeading = 30.0;  // of the coupled equation
+constexpr double kBytesOfIntegrals = 1000.0;      // rules, locator and sources, a node
+constexpr double kLargestDense = 500.0;           // nodes up to which `auto` is dense
+constexpr double kLanczosSolves = 4.0;            // solves per mode
 
 constexpr double kSeaSolves = 40.0;    // frequencies that a sea makes the program solve
 constexpr double kSeaSamples = 9.0;    // of these in memory
@@ -65,6 +66,18 @@ StageEstimate estimate_modes(const Sizes& s) {
           .seconds = work / kSparseRate};
 }
 
+// On the direct route the factor alone, with the matrix beside it, once a frequency; a solve for
+// each application, real and imaginary parts
+StageEstimate estimate_plate(const Sizes& s) {
+  const double unknowns = 3.0 * s.plate_nodes;
+  const double factor = 31.0 * unknowns * std::log2(std::max(2.0, unknowns)) / 4.0;
+  const double solves = 2.0 * kApplicationsPerHeading * s.headings;
+  return {.stage = "plate",
+          .memory = 16.0 * 4.0 * 60.0 * unknowns + 16.0 * factor,
+          .seconds = s.frequencies *
+                     (400.0 * std::pow(unknowns, 1.5) / 4.0 + solves * 4.0 * factor) / kSparseRate};
+}
+
 // The matrix and its factors; right-hand sides, solutions and residuals stand beside them
 StageEstimate estimate_dense_radiation(const Sizes& s, int threads) {
   const double assembly = s.nodes * (s.elements * kPointsPerElement + kNearWork) / kKernelRate;
@@ -90,7 +103,8 @@ StageEstimate estimate_iterative_radiation(const Sizes& s, SolverMethod method, 
                                            int threads) {
   const MethodCost cost = cost_of(method);
   const double columns = s.modes + s.headings;
-  const double directions = kApplicationsPerColumn * columns;
+  const double directions =
+      s.modes > 0.0 ? kApplicationsPerColumn * columns : kApplicationsPerHeading * s.headings;
   const double work = s.nodes * (cost.setup + directions * cost.application) +
                       16.0 * s.nodes * directions * directions / kFactorRate;
   return {.stage = "radiation",
@@ -124,6 +138,10 @@ const char* method_name(SolverMethod method) {
   return names[static_cast<std::size_t>(method)];
 }
 
+const char* route_name(SolverRoute route) {
+  return route == SolverRoute::kDirect ? "direct" : "modal";
+}
+
 SolverMethod resolve_method(const Case& data, const mesh::Q8Mesh& mesh) {
   if (data.method != SolverMethod::kAuto) return data.method;
   if (static_cast<double>(mesh.node_count()) <= kLargestDense) return SolverMethod::kDense;
@@ -136,7 +154,9 @@ SolverMethod resolve_method(const Case& data, const mesh::Q8Mesh& mesh) {
 KrylovPlan plan_krylov(const Case& data, const mesh::Q8Mesh& mesh) {
   // Some 20 directions a column, and scratch beside them. Where the budget is small, single
   // precision first: blocks of fewer columns need twice the applications
-  const double columns = static_cast<double>(data.mode_count);
+  const double columns = static_cast<double>(data.route == SolverRoute::kDirect
+                                                 ? static_cast<Index>(data.heading_deg.size())
+                                                 : data.mode_count);
   const double wanted = 16.0 * static_cast<double>(mesh.node_count()) * columns * 32.0;
   const double budget = 0.5 * numeric::memory_budget(data.memory_limit, numeric::memory_limits());
   const bool in_float = wanted > budget;
@@ -145,17 +165,20 @@ KrylovPlan plan_krylov(const Case& data, const mesh::Q8Mesh& mesh) {
 
 Estimate estimate(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Mesh* plate_mesh,
                   int threads) {
-  const Sizes s = sizes_of(data, mesh, plate_mesh ? *plate_mesh : mesh);
+  Sizes s = sizes_of(data, mesh, plate_mesh ? *plate_mesh : mesh);
+  const bool direct = data.route == SolverRoute::kDirect;
+  if (direct) s.modes = 0.0;
   Estimate needed;
   const SolverMethod method = resolve_method(data, mesh);
   needed.method = method_name(method);
+  needed.route = route_name(data.route);
   needed.nodes = mesh.node_count();
   const StageEstimate radiation =
       method == SolverMethod::kDense
           ? estimate_dense_radiation(s, std::max(1, threads))
           : estimate_iterative_radiation(s, method, plan_krylov(data, mesh).memory,
                                          std::max(1, threads));
-  needed.stages = {estimate_modes(s), radiation, estimate_response(s)};
+  needed.stages = {direct ? estimate_plate(s) : estimate_modes(s), radiation, estimate_response(s)};
   if (!data.seas.empty() || (data.sea_grid.from && data.sea_grid.to))
     needed.stages.push_back(estimate_seas(s, radiation, std::max(1, threads)));
   needed.knobs = "a coarser mesh, fewer modes, a larger --memory";

@@ -66,6 +66,22 @@ void warn_about_waves(const std::vector<Resolution>& resolution, double size,
   }
 }
 
+// A plate has about area·k²/4π modes below the wavenumber k of its waves, a few more for its edges;
+// a converged answer takes about four times as many
+void warn_about_modes(const Case& data, const mesh::Q8Mesh& mesh, double shortest,
+                      std::vector<std::string>& warnings) {
+  constexpr double kTimesBelow = 4.0;
+  if (data.route == SolverRoute::kDirect) return;
+  const double k = 2.0 * std::numbers::pi / shortest;
+  const double below = mesh.area() * k * k / (4.0 * std::numbers::pi) +
+                       3.0 * static_cast<double>(mesh.piece_count());
+  if (static_cast<double>(data.mode_count) >= kTimesBelow * below) return;
+  warnings.push_back(fmt::format(
+      "few modes: modes.count = {}, about {:.0f} modes are longer than the shortest wave along the "
+      "plate ({:.3g} m; four times as many are good, or solver.route = \"direct\")",
+      data.mode_count, below, shortest));
+}
+
 // The points and the stations of the lines lie on the mesh
 void require_points(const Case& data, const mesh::Q8Mesh& mesh) {
   std::vector<std::string> names;
@@ -88,6 +104,7 @@ void require_points(const Case& data, const mesh::Q8Mesh& mesh) {
 }
 
 void require_modes(const Case& data, const mesh::Q8Mesh& mesh) {
+  if (data.route == SolverRoute::kDirect) return;
   const Index least = 3 * mesh.piece_count(), most = 3 * mesh.node_count() / 2;
   FLOE_VALIDATE(
       data.mode_count >= least && data.mode_count <= most,
@@ -127,6 +144,9 @@ Preflight preflight(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Me
   }
   warn_about_shape(found.quality, found.warnings);
   warn_about_waves(found.resolution, mesh.size(), found.warnings);
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const Resolution& r : found.resolution) shortest = std::min(shortest, r.flexural_wavelength);
+  warn_about_modes(data, mesh, shortest, found.warnings);
   return found;
 }
 

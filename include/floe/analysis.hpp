@@ -48,6 +48,13 @@ struct FieldRequest {
 /// How the fluid's equation is solved: dense LU, or GMRES on a fast operator.
 enum class SolverMethod { kAuto, kDense, kLattice, kPfft, kFmm };
 
+/// How plate and fluid are put together: by dry modes, one radiation problem each, or in one coupled
+/// equation, one solution a heading.
+enum class SolverRoute { kModal, kDirect };
+
+/// "modal", "direct", as case files and run.json have it.
+const char* route_name(SolverRoute route);
+
 /// "auto", "dense", "lattice", "pfft", "fmm", as case files and run.json have it.
 const char* method_name(SolverMethod method);
 
@@ -63,6 +70,7 @@ struct Case {
   std::vector<double> omega;        ///< ascending, no duplicates [rad/s]
   std::vector<double> heading_deg;  ///< as given, no duplicates [deg]
   SolverMethod method = SolverMethod::kAuto;
+  SolverRoute route = SolverRoute::kModal;
   double tolerance = 1e-6;  ///< of the results, relative to the largest
   std::vector<NamedPoint> points;
   std::vector<NamedLine> lines;
@@ -99,7 +107,7 @@ struct NodeField {
 };
 
 /// All results of one frequency, per metre of wave amplitude, e^{-iωt}, phases relative to the
-/// origin.
+/// origin. The direct route knows no modes: added mass, damping, forces and amplitudes are empty.
 struct FrequencyResult {
   double omega = 0.0;                    ///< [rad/s]
   double wavenumber = 0.0;               ///< k [rad/m]
@@ -138,7 +146,7 @@ class Log {
 
 struct Estimate;
 
-/// Where results go. Called in this order: once `begin`, once `modes`, each frequency by rising ω,
+/// Where results go. Called in this order: once `begin`, on the modal route once `modes`, each frequency by rising ω,
 /// once `finish`. With seas, after the frequencies: once `begin_seas`, the transfer functions by
 /// rising ω, each sea and mean heading as in the case, once `end_seas`.
 class Store {

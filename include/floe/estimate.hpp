@@ -17,6 +17,7 @@ struct StageEstimate {
 
 struct Estimate {
   std::string method;  ///< name of the method that the run will use
+  std::string route;   ///< modal or direct
   Index nodes = 0;     ///< of the fluid's mesh
   std::vector<StageEstimate> stages;
   double memory = 0.0;   ///< the largest of the stages, plus what all of them share [byte]

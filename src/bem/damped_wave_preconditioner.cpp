@@ -26,7 +26,7 @@ DampedWavePreconditioner::DampedWavePreconditioner(const mesh::Q8Mesh& mesh,
                           least_step(mesh, options.points_per_node)))) {
   width_ = grid_->width();
   spectrum_ = std::make_unique<const fmm::EvenSpectrum>(
-      damped_wave_spectrum(grid_->padded(), grid_->step(), green, width_, options.damping));
+      damped_wave_spectrum(grid_->padded(), grid_->step(), green, width_, options));
 }
 
 DampedWavePreconditioner::~DampedWavePreconditioner() = default;

@@ -18,16 +18,37 @@ double grid_step(const mesh::Q8Mesh& mesh, double wavenumber, double points_per_
   return std::max(side / std::max(1.0, cells), floor);
 }
 
+namespace {
+
+// ν'' of (S.7): ν moved so that the wave along the plate decays as e^{-damping R/B}
+Complex damped_flexural(const FloatingPlate& plate, const green::GreenFunction& green,
+                        double shift) {
+  const double k = plate.wavenumber, tanh = std::tanh(k * green.depth());
+  const double cosh = std::cosh(std::min(k * green.depth(), 300.0));
+  const double bending = plate.rigidity * std::pow(k, 4) - plate.inertia + 1.0;
+  const double finite = std::isinf(green.depth()) ? 0.0 : k * green.depth() / (cosh * cosh);
+  const double slope = (tanh + finite) * bending + 4.0 * plate.rigidity * std::pow(k, 4) * tanh;
+  return {green.nu(), shift * slope};
+}
+
+}  // namespace
+
 fmm::EvenSpectrum damped_wave_spectrum(const fmm::PaddedGrid& grid, double step,
                                        const green::GreenFunction& green, double width,
-                                       double damping) {
+                                       const DampedWaveOptions& options) {
   const double unit_x = 2.0 * std::numbers::pi / (double(grid.padded_nx()) * step);
   const double unit_y = 2.0 * std::numbers::pi / (double(grid.padded_ny()) * step);
   const double floor = 0.5 * std::min(unit_x, unit_y);
-  const Complex damped = green.nu() * Complex(1.0, damping / (green.wavenumber() * width));
+  const Complex damped = green.nu() * Complex(1.0, options.damping / (green.wavenumber() * width));
+  const FloatingPlate plate = options.plate.value_or(FloatingPlate{});
+  const Complex flexural =
+      options.plate ? damped_flexural(plate, green, options.damping / width) : Complex(0.0);
   return fmm::EvenSpectrum::from_symbol(grid, [&](Index mx, Index my) {
     const double mu = std::max(floor, std::hypot(unit_x * double(mx), unit_y * double(my)));
-    return -damped / (mu * std::tanh(mu * green.depth()));
+    const double tau = mu * std::tanh(mu * green.depth());
+    if (!options.plate) return -damped / tau;
+    const double bending = plate.rigidity * std::pow(mu, 4) - plate.inertia + 1.0;
+    return (flexural - damped * bending) / (tau * bending - flexural);
   });
 }
 

@@ -42,6 +42,17 @@ void require_sections(const Section& root) {
     root.require(name, fmt::format("a section [{}] is required", name));
 }
 
+// The direct route has no modes, from which the seas are integrated
+void require_route(const Section& root, const Case& data) {
+  if (data.route == SolverRoute::kModal) return;
+  for (const char* section : {"sea", "sea_grid"})
+    if (const toml::node* found = root.find(section))
+      root.source().refuse(found->source(),
+                           fmt::format("invalid {} with solver.route = \"direct\" (seas need "
+                                       "solver.route = \"modal\")",
+                                       section));
+}
+
 // The title goes to terminals and into comments of tables: one line, no commands to a terminal
 std::string read_title(const Section& root) {
   std::string title = root.text_or("title", "");
@@ -94,6 +105,7 @@ CaseFile read_case(const std::filesystem::path& path) {
   read_solver(root, file.data);
   read_output(root, file.data);
   read_seas(root, file.data);
+  require_route(root, file.data);
   file.notices = std::move(source.notices);
   file.warnings = std::move(source.warnings);
   return file;

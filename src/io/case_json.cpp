@@ -122,6 +122,8 @@ Case read_case_json(const Json& options) {
   for (const SolverMethod method :
        {SolverMethod::kDense, SolverMethod::kLattice, SolverMethod::kPfft, SolverMethod::kFmm})
     if (options.at("solver").at("method") == method_name(method)) data.method = method;
+  for (const SolverRoute route : {SolverRoute::kModal, SolverRoute::kDirect})
+    if (options.at("solver").at("route") == route_name(route)) data.route = route;
   data.tolerance = options.at("solver").at("tolerance");
   const Json& grid = options.at("sea_grid");
   data.sea_grid.tolerance = grid.at("tolerance");
@@ -153,7 +155,7 @@ Json case_json(const Case& data) {
       {"modes", {{"count", data.mode_count}}},
       {"waves", {{"omega", data.omega}, {"heading_deg", data.heading_deg}}},
       {"solver",
-       {{"method", method_name(data.method)}, {"route", "modal"}, {"tolerance", data.tolerance}}},
+       {{"method", method_name(data.method)}, {"route", route_name(data.route)}, {"tolerance", data.tolerance}}},
       {"sea_grid", sea_grid_json(data)},
       {"sea", seas_json(data)},
       {"output", output_json(data)},

@@ -112,25 +112,17 @@ void read_solver(const Section& root, Case& data) {
   if (!root.find("solver")) return;
   const Section solver = root.table("solver", {"method", "route", "tolerance"});
   const auto choose = [&](const std::string& key, const std::string& fallback,
-                          const std::vector<std::string>& ready,
-                          const std::vector<std::string>& later) {
+                          const std::vector<std::string>& known) {
     const std::string chosen = solver.text_or(key, fallback);
-    const auto is_in = [&](const std::vector<std::string>& names) {
-      return std::find(names.begin(), names.end(), chosen) != names.end();
-    };
-    if (is_in(ready)) return chosen;
-    const std::string given =
-        fmt::format("{} = {}", solver.full_name(key), shown(*solver.find(key)));
-    if (is_in(later))
-      solver.source().refuse(
-          solver.find(key)->source(),
-          fmt::format("{} is not available yet in this version ({})", given, FLOE_VERSION));
-    solver.source().refuse(solver.find(key)->source(),
-                           fmt::format("invalid {} (must be {})", given, fmt::join(ready, " or ")));
+    if (std::find(known.begin(), known.end(), chosen) == known.end())
+      solver.source().refuse(solver.find(key)->source(),
+                             fmt::format("invalid {} = {} (must be {})", solver.full_name(key),
+                                         shown(*solver.find(key)), fmt::join(known, " or ")));
+    return chosen;
   };
-  const std::string method =
-      choose("method", "auto", {"auto", "dense", "lattice", "pfft", "fmm"}, {});
-  choose("route", "modal", {"modal"}, {"direct"});
+  const std::string method = choose("method", "auto", {"auto", "dense", "lattice", "pfft", "fmm"});
+  const std::string route = choose("route", "modal", {"modal", "direct"});
+  if (route == route_name(SolverRoute::kDirect)) data.route = SolverRoute::kDirect;
   for (const SolverMethod candidate :
        {SolverMethod::kDense, SolverMethod::kLattice, SolverMethod::kPfft, SolverMethod::kFmm})
     if (method == method_name(candidate)) data.method = candidate;

@@ -17,11 +17,22 @@ MatXd section_forces(const mesh::Q8Mesh& mesh, const PlateProperties& properties
   });
 }
 
-MatXd slopes(const mesh::Q8Mesh& mesh, const Eigen::Ref<const MatXd>& deflection) {
-  FLOE_EXPECT(deflection.rows() == mesh.node_count());
-  const NodalAverage average(mesh, all_elements(mesh));
-  return average(deflection, 1, 2,
-                 [&](Index element) { return nodal_slope_matrix(mesh.element_nodes(element)); });
+SparseMatrix slope_operator(const mesh::Q8Mesh& mesh, Slope slope) {
+  const IndexLists at_node = elements_of_nodes(mesh.node_count(), mesh.elements());
+  std::vector<Eigen::Triplet<double, std::int64_t>> entries;
+  entries.reserve(64 * static_cast<std::size_t>(mesh.element_count()));
+  for (Index e = 0; e < mesh.element_count(); ++e) {
+    const NodalSlopeMatrix gradient = nodal_slope_matrix(mesh.element_nodes(e));
+    for (int a = 0; a < 8; ++a) {
+      const Index node = mesh.elements()(a, e);
+      const auto meeting = static_cast<double>(at_node.begin[node + 1] - at_node.begin[node]);
+      for (int b = 0; b < 8; ++b)
+        entries.emplace_back(node, mesh.elements()(b, e), gradient(2 * a + slope, b) / meeting);
+    }
+  }
+  SparseMatrix result(mesh.node_count(), mesh.node_count());
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
 }
 
 SparseMatrix section_force_operator(const mesh::Q8Mesh& mesh, const PlateProperties& properties,

@@ -43,7 +43,7 @@ void tell_resolution(const Preflight& found, Account& account) {
   account.info("");
 }
 
-// What the methods that were not chosen would need
+// What the methods that were not chosen would need, and the other route, which knows no seas
 std::vector<Estimate> estimate_others(const Case& data, const mesh::Q8Mesh& mesh,
                                       const mesh::Q8Mesh* plate_mesh, const Estimate& chosen) {
   std::vector<Estimate> others;
@@ -55,18 +55,26 @@ std::vector<Estimate> estimate_others(const Case& data, const mesh::Q8Mesh& mesh
     other.method = method;
     others.push_back(estimate(other, mesh, plate_mesh, omp_get_max_threads()));
   }
+  if (!data.seas.empty() || (data.sea_grid.from && data.sea_grid.to)) return others;
+  Case other = data;
+  other.route = data.route == SolverRoute::kModal ? SolverRoute::kDirect : SolverRoute::kModal;
+  others.push_back(estimate(other, mesh, plate_mesh, omp_get_max_threads()));
   return others;
 }
 
 void tell_needs(const Estimate& needed, const std::vector<Estimate>& others, double budget,
                 Account& account) {
-  account.fact("method", needed.method);
+  account.fact("method", fmt::format("{}, {} route", needed.method, needed.route));
   for (const StageEstimate& stage : needed.stages)
     account.fact("", fmt::format("{:<12} {:>8}  about {}", stage.stage, format_bytes(stage.memory),
                                  format_duration(stage.seconds)));
   for (const Estimate& other : others)
-    account.fact("", fmt::format("by {:<9} {:>8}  about {}", other.method,
-                                 format_bytes(other.memory), format_duration(other.seconds)));
+    account.fact("", fmt::format("by {:<9} {:>8}  about {}{}",
+                                 other.route == needed.route ? other.method : other.route,
+                                 format_bytes(other.memory), format_duration(other.seconds),
+                                 other.route == needed.route            ? ""
+                                 : other.seconds < 0.8 * needed.seconds ? ": the cheaper route"
+                                                                        : ""));
   account.fact("memory",
                fmt::format("{} of {}", format_bytes(needed.memory), format_bytes(budget)));
   account.fact("time", fmt::format("about {} on {}", format_duration(needed.seconds),

@@ -68,7 +68,7 @@ ModalBasis::ModalBasis(const mesh::Q8Mesh& mesh, const plate::PlateProperties& p
                        const std::vector<Quantity>& quantities)
     : loss_factor_(properties.loss_factor) {
   const MatXd deflection = strided_rows(modes.shape, 0, plate::kUnknownsPerNode);
-  values_[Quantity::kDeflection] = interpolation * deflection;
+  motion_[Quantity::kDeflection] = interpolation;
 
   // Recover section forces at the nodes around the points only
   // NOTE: stress at z = t/2 is M z / I with I = t³/12
@@ -88,13 +88,19 @@ ModalBasis::ModalBasis(const mesh::Q8Mesh& mesh, const plate::PlateProperties& p
   }
 
   // And slopes
-  MatXd slope;
-  for (const Quantity quantity : quantities) {
-    if (quantity != Quantity::kSlopeX && quantity != Quantity::kSlopeY) continue;
-    if (slope.size() == 0) slope = plate::slopes(mesh, deflection);
-    const Index row = quantity == Quantity::kSlopeX ? plate::kSlopeX : plate::kSlopeY;
-    values_[quantity] = interpolation * strided_rows(slope, row, 2);
-  }
+  for (const Quantity quantity : quantities)
+    if (quantity == Quantity::kSlopeX || quantity == Quantity::kSlopeY)
+      motion_[quantity] = interpolation * plate::slope_operator(mesh, quantity == Quantity::kSlopeX
+                                                                          ? plate::kSlopeX
+                                                                          : plate::kSlopeY);
+  for (const auto& [quantity, at_points] : motion_) values_[quantity] = at_points * deflection;
+}
+
+// Of time derivatives and of the complex stiffness
+Complex ModalBasis::factor(Quantity quantity, double omega) const {
+  if (quantity == Quantity::kVelocity) return Complex(0.0, -omega);
+  if (quantity == Quantity::kAcceleration) return -omega * omega;
+  return is_section_force(quantity) ? Complex(1.0, -loss_factor_) : Complex(1.0);
 }
 
 MatXcd ModalBasis::evaluate(Quantity quantity, double omega, const MatXcd& amplitudes) const {
@@ -102,15 +108,18 @@ MatXcd ModalBasis::evaluate(Quantity quantity, double omega, const MatXcd& ampli
   const auto values = values_.find(motion ? Quantity::kDeflection : quantity);
   FLOE_VALIDATE(values != values_.end(),
                 "invalid quantity = " << name(quantity) << " (must be one of those asked for)");
-  Complex factor = 1.0;
-  if (quantity == Quantity::kVelocity) factor = Complex(0.0, -omega);
-  if (quantity == Quantity::kAcceleration) factor = -omega * omega;
-  if (is_section_force(quantity)) factor = Complex(1.0, -loss_factor_);
-  return factor * (values->second.cast<Complex>() * amplitudes);
+  return factor(quantity, omega) * (values->second.cast<Complex>() * amplitudes);
 }
 
-MatXcd ModalBasis::evaluate_displacement(Quantity quantity, const MatXcd& displacement) const {
-  return Complex(1.0, -loss_factor_) * (section_force_.at(quantity).cast<Complex>() * displacement);
+MatXcd ModalBasis::evaluate_displacement(Quantity quantity, double omega,
+                                         const MatXcd& displacement) const {
+  if (is_section_force(quantity))
+    return factor(quantity, omega) * (section_force_.at(quantity).cast<Complex>() * displacement);
+  const bool motion = quantity == Quantity::kVelocity || quantity == Quantity::kAcceleration;
+  const SparseMatrix& at_points = motion_.at(motion ? Quantity::kDeflection : quantity);
+  const auto deflection = Eigen::seq(0, Eigen::last, plate::kUnknownsPerNode);
+  return factor(quantity, omega) *
+         (at_points.cast<Complex>() * MatXcd(displacement(deflection, Eigen::all)));
 }
 
 }  // namespace floe::response

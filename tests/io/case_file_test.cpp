@@ -277,8 +277,10 @@ TEST(CaseFile, NamesFaultsOfTheOptionalSections) {
       {"[solver]\nmethod = \"magic\"",
        "case.toml:14:10: invalid solver.method = \"magic\" (must be auto or dense or lattice or "
        "pfft or fmm)"},
-      {"[solver]\nroute = \"direct\"",
-       "case.toml:14:9: solver.route = \"direct\" is not available yet in this version ("},
+      {"[solver]\nroute = \"fast\"",
+       "case.toml:14:9: invalid solver.route = \"fast\" (must be modal or direct)"},
+      {"[solver]\nroute = \"direct\"\n[sea_grid]\ntolerance = 1e-3",
+       "case.toml:15:1: invalid sea_grid with solver.route = \"direct\" (seas need"},
       {"[solver]\ntolerance = 1e-12",
        "case.toml:14:13: invalid solver.tolerance = 1e-12 (must be 1e-9 to 1e-1)"},
       {"[sea_grid]\ntolerance = 1",

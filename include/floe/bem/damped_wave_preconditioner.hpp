@@ -6,15 +6,25 @@
 #include <floe/mesh/q8_mesh.hpp>
 
 #include <memory>
+#include <optional>
 
 namespace floe::bem {
 
 class PlateGrid;
 
+/// A thin plate that floats, per area and over ρg: what the symbol of (C.4) needs.
+struct FloatingPlate {
+  double rigidity = 0.0;    ///< D/ρg [m⁴]
+  double inertia = 0.0;     ///< mω²/ρg [-]
+  double wavenumber = 0.0;  ///< of the flexural-gravity wave, (H.1) [1/m]
+};
+
 struct DampedWaveOptions {
   double points_per_wavelength = 8.0;  ///< of the grid, at most two a node
   double points_per_node = 4.0;        ///< most points of the bounding box, times the nodes
   double damping = 0.35;               ///< ε kB in ν' = ν(1 + iε)
+  std::optional<FloatingPlate>
+      plate;  ///< for (C.4), plate and fluid in one: (S.7) instead of (S.5)
 };
 
 /// The inverse of I + κ𝒢 on the unbounded plane, damped, as preconditioner on the plate (S.5):

@@ -30,13 +30,14 @@ MatXd section_forces(const mesh::Q8Mesh& mesh, const PlateProperties& properties
 SparseMatrix section_force_operator(const mesh::Q8Mesh& mesh, const PlateProperties& properties,
                                     std::span<const Index> nodes);
 
-/// Rows of node n in the result of slopes, 2n + these.
+/// Slopes of the deflection.
 enum Slope : int {
   kSlopeX = 0,  ///< ∂w/∂x [rad]
   kSlopeY = 1,  ///< ∂w/∂y [rad]
 };
 
-/// Slopes of the deflection at the nodes, (2N × columns), from deflections (N × columns).
-MatXd slopes(const mesh::Q8Mesh& mesh, const Eigen::Ref<const MatXd>& deflection);
+/// A slope at the nodes from the deflections there, N × N: the gradient of each element at its
+/// nodes, averaged over the elements that meet.
+SparseMatrix slope_operator(const mesh::Q8Mesh& mesh, Slope slope);
 
 }  // namespace floe::plate

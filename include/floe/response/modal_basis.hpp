@@ -34,13 +34,16 @@ class ModalBasis {
   /// loss factor.
   const SparseMatrix& section_force(Quantity quantity) const { return section_force_.at(quantity); }
 
-  /// A section force at all points of a displacement (3N × headings): points × headings.
-  MatXcd evaluate_displacement(Quantity quantity, const MatXcd& displacement) const;
+  /// A structural quantity at all points of a displacement (3N × headings) at ω: points × headings.
+  MatXcd evaluate_displacement(Quantity quantity, double omega, const MatXcd& displacement) const;
 
  private:
+  Complex factor(Quantity quantity, double omega) const;
+
   double loss_factor_;
   std::map<Quantity, MatXd> values_;                // points × q, without factors of time and loss
   std::map<Quantity, SparseMatrix> section_force_;  // points × 3N
+  std::map<Quantity, SparseMatrix> motion_;         // deflection and slopes, points × N
 };
 
 }  // namespace floe::response
