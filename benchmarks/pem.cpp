@@ -146,6 +146,7 @@ Figures whole_stage(Index nodes, Index modes, int frequencies, int directions) {
   SeaObservation observation;
   observation.quantity = {0};
   observation.derivative = {0};
+  observation.phase = {0.0};
   observation.points = random_real(5, modes, 5);
   observation.lines = random_real(61, modes, 6);
   observation.nodes = random_real(nodes, modes, 7);

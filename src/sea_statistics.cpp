@@ -1,3 +1,5 @@
+#include "sea_relations.hpp"
+
 #include <floe/numeric/error.hpp>
 #include <floe/sea_statistics.hpp>
 
@@ -16,10 +18,12 @@ struct SeaStatistics::Sum {
   double mean_heading_deg;
   std::vector<Origin> origins;  // one a partition
   response::PseudoExcitation response;
+  RelationSums relations;
 };
 
 SeaStatistics::SeaStatistics(const std::vector<wave::SeaState>& seas, SeaObservation observation,
-                             std::vector<double> omega, int headings)
+                             std::vector<double> omega, int headings,
+                             const SeaRelations& relations)
     : seas_(seas),
       observation_(std::move(observation)),
       omega_(std::move(omega)),
@@ -27,7 +31,11 @@ SeaStatistics::SeaStatistics(const std::vector<wave::SeaState>& seas, SeaObserva
   constexpr double kDegree = std::numbers::pi / 180.0;
   for (std::size_t s = 0; s < seas_.size(); ++s)
     for (const double mean : seas_[s].mean_heading_deg) {
-      Sum sum{s, mean, {}, response::PseudoExcitation(observation_.points)};
+      Sum sum{s,
+              mean,
+              {},
+              response::PseudoExcitation(observation_.points),
+              RelationSums(relations, observation_)};
       for (const wave::Partition& partition : seas_[s].partitions) {
         response::DirectionGrid grid = response::direction_grid(
             partition.spreading, kDegree * (mean + partition.turn_deg), headings);
@@ -55,6 +63,7 @@ void SeaStatistics::add(const SeaTransfer& transfer) {
       pseudo.rightCols(waves.cols()) = waves;
     }
     sum.response.add(transfer.omega, weight_[i], pseudo);
+    sum.relations.add(transfer.omega, pseudo);
   }
 }
 
@@ -112,6 +121,7 @@ SeaResult SeaStatistics::result_of(const Sum& sum) const {
   result.share_outside = 1.0 - sea.variance(omega_.front(), omega_.back()) / sea.m0();
 
   add_spectra(sum.response.spectra(), result);
+  sum.relations.tell(weight_, result);
 
   // Deflection along lines and everywhere, from the covariances of the modes
   const Index modes = observation_.nodes.cols();

@@ -68,6 +68,7 @@ struct Case {
   std::vector<NamedLine> lines;
   std::vector<NamedPoint> wave_points;
   std::vector<response::Quantity> quantities = {response::Quantity::kDeflection};
+  SeaRelations relations;            ///< of quantities in seas
   std::vector<FieldRequest> fields;  ///< empty: the first heading, at most 10 frequencies
   std::vector<wave::SeaState> seas;  ///< any number
   SeaGrid sea_grid;

@@ -19,9 +19,9 @@ void require_band(const wave::SeaState& sea, double from, double to, const std::
 class SeaStatistics {
  public:
   /// Every mean heading of every sea. `omega` are the frequencies to come, ascending [rad/s];
-  /// `headings` those of a transfer function on the full circle.
+  /// `headings` those of a transfer function on the full circle. `relations` may be empty.
   SeaStatistics(const std::vector<wave::SeaState>& seas, SeaObservation observation,
-                std::vector<double> omega, int headings);
+                std::vector<double> omega, int headings, const SeaRelations& relations = {});
 
   ~SeaStatistics();
 

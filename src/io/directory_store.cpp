@@ -1,6 +1,7 @@
 #include "io/case_json.hpp"
 #include "io/output_directory.hpp"
 #include "io/record_names.hpp"
+#include "io/relation_tables.hpp"
 #include "io/result_records.hpp"
 #include "io/result_tables.hpp"
 #include "io/run_json.hpp"
@@ -259,11 +260,14 @@ void DirectoryStore::Impl::end_seas(const SeaGridReport& grid) {
     warn_of_truncation(sea);
   }
   account.files.insert(account.files.end(), sea_table_names().begin(), sea_table_names().end());
+  for (const std::string& name : relation_table_names(data_.relations))
+    account.files.push_back(name);
   account.files.emplace_back("statistics.vtu");
   write_account();
   for (std::size_t i = 0; i < seas_.size(); ++i)
     record_of(seas_[i]).write(file(numbered_record("sea", i)));
   write_sea_tables(directory.path(), remarks_, data_, seas_);
+  write_relation_tables(directory.path(), remarks_, data_, seas_);
   write_statistics_vtu(file("statistics.vtu"), *mesh_, seas_);
 }
 

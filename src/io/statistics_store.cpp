@@ -1,5 +1,6 @@
 #include "io/atomic_file.hpp"
 #include "io/output_directory.hpp"
+#include "io/relation_tables.hpp"
 #include "io/run_json.hpp"
 #include "io/sea_tables.hpp"
 #include "io/vtu.hpp"
@@ -25,6 +26,8 @@ std::vector<std::string> store_statistics(const std::filesystem::path& directory
   account.sea_grid = grid;
   for (const SeaResult& result : results) account.seas.push_back(summary_of(result));
   account.files = sea_table_names();
+  for (const std::string& name : relation_table_names(data.relations))
+    account.files.push_back(name);
   account.files.insert(account.files.end(), {"statistics.vtu", "run.json"});
 
   std::vector<std::string> remarks;
@@ -34,6 +37,7 @@ std::vector<std::string> store_statistics(const std::filesystem::path& directory
   output.clear_earlier_run();
   write_file(output.path() / "run.json", run_json(data, account));
   write_sea_tables(output.path(), remarks, data, results);
+  write_relation_tables(output.path(), remarks, data, results);
   write_statistics_vtu(output.path() / "statistics.vtu", fluid_mesh, results);
   return account.files;
 }

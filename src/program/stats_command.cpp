@@ -66,7 +66,8 @@ void tell_statistics(const StatsOptions& options) {
   }
 
   // Put the seas on them
-  SeaStatistics statistics(seas, run.observation(), grid.omega, grid.headings);
+  SeaStatistics statistics(seas, run.observation(), grid.omega, grid.headings,
+                           run.data().relations);
   for (std::size_t i = 0; i < grid.omega.size(); ++i) {
     log.progress(static_cast<double>(i) / static_cast<double>(grid.omega.size()),
                  fmt::format("{:.3f} rad/s", grid.omega[i]));

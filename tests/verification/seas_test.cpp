@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 #include <recorded_run.hpp>
 
-#include <algorithm>
 #include <cmath>
 
 namespace floe {
@@ -23,7 +22,9 @@ const test::RecordedRun& small_run() {
     data.heading_deg = {0.0, 30.0, 105.0};
     data.quantities = {Quantity::kDeflection,     Quantity::kAcceleration, Quantity::kSlopeX,
                        Quantity::kBendingMomentX, Quantity::kShearForceX,  Quantity::kPressure,
-                       Quantity::kSurfaceStressX};
+                       Quantity::kSurfaceStressX, Quantity::kVelocity,     Quantity::kSlopeY,
+                       Quantity::kBendingMomentY, Quantity::kTwistingMoment,
+                       Quantity::kSurfaceStressY, Quantity::kRelativeElevation};
     data.sea_grid = {.from = 0.5, .to = 0.9, .tolerance = 1e-3};
     data.seas = {
         {.name = "wind sea",
@@ -123,11 +124,20 @@ TEST(identity_Seas, PartitionsAddUp) {
             1e-12);
 }
 
-TEST(Seas, TellWhatIsLeftOut) {
-  const auto& notices = small_run().notices;
-  EXPECT_TRUE(std::any_of(notices.begin(), notices.end(), [](const std::string& text) {
-    return text.find("pressure") != std::string::npos;
-  }));
+TEST(identity_Seas, PressureIsTheWeightOfTheRelativeElevation) {
+  const test::RecordedRun& run = small_run();
+  const double weight = 1025.0 * 9.81;
+  ASSERT_EQ(run.data.quantities[5], Quantity::kPressure);
+  ASSERT_EQ(run.data.quantities[12], Quantity::kRelativeElevation);
+  for (const SeaResult& sea : run.seas)
+    EXPECT_LE(test::relative_error(sea.moments[5], weight * weight * sea.moments[12]), 1e-12);
+}
+
+TEST(Seas, TellHowFarPressuresAreFromTheDiffractionProblem) {
+  const test::RecordedRun& run = small_run();
+  EXPECT_GT(run.sea_grid.pressure_error, 0.0);
+  EXPECT_LT(run.sea_grid.pressure_error, 2e-2);
+  EXPECT_EQ(run.observation.quantity.size(), run.data.quantities.size());
 }
 
 }  // namespace
