@@ -29,8 +29,8 @@ SeaObservation observe(const Case& data, const PlateModel& plate, const FluidMod
   const Index modes = plate.modes.count(), points = static_cast<Index>(data.points.size());
   const MatXcd unit = MatXcd::Identity(modes, modes);
   SeaObservation observed;
-  observed.points = MatXd::Zero(points * static_cast<Index>(data.quantities.size()),
-                                waves.state_size());
+  observed.points =
+      MatXd::Zero(points * static_cast<Index>(data.quantities.size()), waves.state_size());
   Index section_force = waves.first_section_force();
   for (std::size_t q = 0; q < data.quantities.size(); ++q) {
     const Quantity quantity = data.quantities[q];
@@ -41,8 +41,11 @@ SeaObservation observe(const Case& data, const PlateModel& plate, const FluidMod
           plate.points.evaluate(derivative > 0 ? Quantity::kDeflection : quantity, 1.0, unit)
               .real();
     else
-      rows.middleCols(waves.first_pressure(), points).diagonal().setConstant(
-          quantity == Quantity::kPressure ? 1.0 : 1.0 / (data.water.density * data.water.gravity));
+      rows.middleCols(waves.first_pressure(), points)
+          .diagonal()
+          .setConstant(quantity == Quantity::kPressure
+                           ? 1.0
+                           : 1.0 / (data.water.density * data.water.gravity));
     if (response::is_section_force(quantity)) {
       rows.middleCols(section_force, points).setIdentity();
       section_force += points;

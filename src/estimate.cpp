@@ -50,8 +50,7 @@ Sizes sizes_of(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Mesh& p
               static_cast<double>(data.points.size()) *
               (static_cast<double>(std::count_if(data.quantities.begin(), data.quantities.end(),
                                                  response::is_section_force)) +
-               (std::all_of(data.quantities.begin(), data.quantities.end(),
-                            response::is_structural)
+               (std::all_of(data.quantities.begin(), data.quantities.end(), response::is_structural)
                     ? 0.0
                     : 1.0))};
 }

@@ -33,8 +33,8 @@ plate::StaticCorrection::Influence influences(const Case& data, const PlateModel
 
 // The points, if a pressure is among the quantities
 Points2 pressure_points(const Case& data) {
-  const bool wanted = !std::all_of(data.quantities.begin(), data.quantities.end(),
-                                   response::is_structural);
+  const bool wanted =
+      !std::all_of(data.quantities.begin(), data.quantities.end(), response::is_structural);
   Points2 points(2, wanted ? static_cast<Index>(data.points.size()) : 0);
   for (Index i = 0; i < points.cols(); ++i)
     points.col(i) = data.points[static_cast<std::size_t>(i)].position;
@@ -43,8 +43,8 @@ Points2 pressure_points(const Case& data) {
 
 // One that the seas hold [rad]
 double checked_heading(const Case& data) {
-  const double degrees = data.seas.empty() ? data.heading_deg.front()
-                                           : data.seas.front().mean_heading_deg.front();
+  const double degrees =
+      data.seas.empty() ? data.heading_deg.front() : data.seas.front().mean_heading_deg.front();
   return degrees * std::numbers::pi / 180.0;
 }
 
@@ -80,9 +80,8 @@ FluidSample SeaFluid::solve(double omega) {
 MatXcd SeaFluid::pressure_influence(const bem::PressureOperator& pressure_operator,
                                     const green::GreenTable& green, double wavenumber) {
   const double limit = residual_limit(data_, fluid_);
-  MatXcd influence =
-      hydro::wave_pressure_influence(pressure_operator, fluid_.integrals, green,
-                                     fluid_.surface_mass, points_, data_.water, limit);
+  MatXcd influence = hydro::wave_pressure_influence(
+      pressure_operator, fluid_.integrals, green, fluid_.surface_mass, points_, data_.water, limit);
 
   // Hold one heading against its diffraction problem
   const double weight = data_.water.density * data_.water.gravity;
@@ -100,10 +99,12 @@ MatXcd SeaFluid::pressure_influence(const bem::PressureOperator& pressure_operat
   return influence;
 }
 
-MatXcd SeaFluid::states(const FluidSample& sample, int headings) const {
+MatXcd SeaFluid::states(const FluidSample& sample, int headings, const VecXd& amplitude) const {
   const double wavenumber = wave::wavenumber(sample.omega, data_.water);
-  const MatXcd force = -hydro::full_circle_transform(fluid_.integrals.mesh(), wavenumber, headings,
-                                                     sample.pressure);
+  const bool uniform = amplitude.size() == 0;
+  const MatXcd force = -hydro::full_circle_transform(
+      fluid_.integrals.mesh(), wavenumber, headings,
+      uniform ? sample.pressure : amplitude.cast<Complex>().asDiagonal() * sample.pressure);
   MatXcd state(state_size(), headings);
   state.topRows(modes_) = coupling::modal_amplitudes(
       plate_.modes, data_.plate.loss_factor, sample.omega,
@@ -119,9 +120,10 @@ MatXcd SeaFluid::states(const FluidSample& sample, int headings) const {
   // Pressure of the wave on the plate held fixed, and of its motion (R.4)
   const double weight = data_.water.density * data_.water.gravity;
   const MatXcd moving = fluid_.at_points.cast<Complex>() * sample.pressure.leftCols(modes_);
+  MatXcd elevation = hydro::incident_elevation(points_, wavenumber, hydro::full_circle(headings));
+  if (!uniform) elevation = (fluid_.at_points * amplitude).cast<Complex>().asDiagonal() * elevation;
   state.bottomRows(pressures_) =
-      weight * hydro::incident_elevation(points_, wavenumber, hydro::full_circle(headings)) +
-      force.bottomRows(pressures_) + moving * state.topRows(modes_);
+      weight * elevation + force.bottomRows(pressures_) + moving * state.topRows(modes_);
   return state;
 }
 

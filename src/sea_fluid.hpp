@@ -22,8 +22,9 @@ class SeaFluid {
   /// Holds the pressures at the points against a diffraction problem of one heading.
   FluidSample solve(double omega);
 
-  /// States of the waves from equidistant headings on the full circle, state × headings.
-  MatXcd states(const FluidSample& sample, int headings) const;
+  /// States of the waves from equidistant headings on the full circle, state × headings: of waves
+  /// of one metre, or of an amplitude that is given at the fluid's nodes.
+  MatXcd states(const FluidSample& sample, int headings, const VecXd& amplitude = {}) const;
 
   /// Largest difference of a pressure at a point, by reciprocity, from that of the diffraction
   /// problem, relative to the largest at the points; 0 where none is asked for.
@@ -33,7 +34,7 @@ class SeaFluid {
   MatXcd pressure_influence(const bem::PressureOperator& pressure_operator,
                             const green::GreenTable& green, double wavenumber);
 
-  const Case& data_;         // view, as the next two
+  const Case& data_;  // view, as the next two
   const PlateModel& plate_;
   const FluidModel& fluid_;
   plate::StaticCorrection::Influence influence_;

@@ -38,9 +38,8 @@ Index RelationSums::place_of(const PointQuantity& wanted, const SeaObservation& 
       return static_cast<Index>(i);
   const auto& observed = observation.quantity;
   const auto at = std::find(observed.begin(), observed.end(), wanted.quantity);
-  FLOE_VALIDATE(at != observed.end(),
-                "invalid quantity of a relation = number " << wanted.quantity + 1
-                                                           << " (must be observed in seas)");
+  FLOE_VALIDATE(at != observed.end(), "invalid quantity of a relation = number "
+                                          << wanted.quantity + 1 << " (must be observed in seas)");
   const Index points = observation.points.rows() / static_cast<Index>(observed.size());
   const auto place = static_cast<std::size_t>(at - observed.begin());
   quantities_.push_back(wanted);

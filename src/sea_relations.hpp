@@ -29,8 +29,8 @@ class RelationSums {
   std::vector<Index> row_;                 // of SeaObservation::points, one each
   std::vector<int> derivative_;
   std::vector<double> phase_;
-  std::vector<std::pair<Index, Index>> pair_;     // places in quantities_
-  std::vector<std::vector<Index>> term_;          // likewise, one list a combination
+  std::vector<std::pair<Index, Index>> pair_;    // places in quantities_
+  std::vector<std::vector<Index>> term_;         // likewise, one list a combination
   std::vector<response::CrossSpectra> spectra_;  // one, once the rows are known
 };
 

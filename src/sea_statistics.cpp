@@ -22,8 +22,7 @@ struct SeaStatistics::Sum {
 };
 
 SeaStatistics::SeaStatistics(const std::vector<wave::SeaState>& seas, SeaObservation observation,
-                             std::vector<double> omega, int headings,
-                             const SeaRelations& relations)
+                             std::vector<double> omega, int headings, const SeaRelations& relations)
     : seas_(seas),
       observation_(std::move(observation)),
       omega_(std::move(omega)),

@@ -49,9 +49,9 @@ struct SeaGrid {
   double tolerance = 1e-3;     ///< of the response between solved frequencies, estimated
 };
 
-/// What the statistics of any sea need to know of the structure. The state of a wave is ξ, for every
-/// section force at a point what the modes leave out of it (E.12), and the pressure at every point
-/// where one is asked for (R.4): q + m numbers.
+/// What the statistics of any sea need to know of the structure. The state of a wave is ξ, for
+/// every section force at a point what the modes leave out of it (E.12), and the pressure at every
+/// point where one is asked for (R.4): q + m numbers.
 struct SeaObservation {
   std::vector<std::size_t> quantity;  ///< positions in Case::quantities
   std::vector<int> derivative;        ///< in time, one a quantity
@@ -103,9 +103,9 @@ struct SeaResult {
   std::vector<PairResult> pairs;      ///< as in SeaRelations
   std::vector<CombinationResult> combinations;
   double duration = 0.0;            ///< of the storm [s]
-  double significant_height = 0.0;    ///< 4√m0 of the waves, all frequencies [m]
-  double share_outside = 0.0;         ///< of the sea's m0, beyond the band
-  double grid_error = 0.0;            ///< of m0 at the points: every frequency against every other
+  double significant_height = 0.0;  ///< 4√m0 of the waves, all frequencies [m]
+  double share_outside = 0.0;       ///< of the sea's m0, beyond the band
+  double grid_error = 0.0;          ///< of m0 at the points: every frequency against every other
 };
 
 }  // namespace floe

@@ -111,10 +111,10 @@ SeaRelations relations_from(const Json& json) {
   for (const Json& pair : json.at("cross_spectra"))
     relations.pairs.push_back({point_quantity_from(pair.at(0)), point_quantity_from(pair.at(1))});
   for (const Json& own : json.at("combinations")) {
-    Combination combination{own.at("name"),
-                            own.at("kind") == "sum" ? Combination::Kind::kSum
-                                                    : Combination::Kind::kVonMises,
-                            {}};
+    Combination combination{
+        own.at("name"),
+        own.at("kind") == "sum" ? Combination::Kind::kSum : Combination::Kind::kVonMises,
+        {}};
     for (const Json& term : own.at("terms"))
       combination.terms.push_back({point_quantity_from(term.at("of")), term.at("factor")});
     relations.combinations.push_back(std::move(combination));

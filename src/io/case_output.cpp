@@ -152,8 +152,8 @@ const toml::table& named_table(const Section& section, const std::string& key) {
   if (!node) return none;
   if (!node->is_table())
     section.source().refuse(node->source(),
-                           fmt::format("invalid {} = {} (must be a table {{ name = … }})",
-                                       section.full_name(key), shown(*node)));
+                            fmt::format("invalid {} = {} (must be a table {{ name = … }})",
+                                        section.full_name(key), shown(*node)));
   for (const toml::key* name : keys_in_file_order(*node->as_table()))
     check_name(name->str(), name->source(), "name in " + section.full_name(key), section.source());
   return *node->as_table();
@@ -161,9 +161,8 @@ const toml::table& named_table(const Section& section, const std::string& key) {
 
 void read_output(const Section& root, Case& data) {
   if (!root.find("output")) return;
-  const Section output =
-      root.table("output", {"points", "lines", "wave_points", "quantities", "cross_spectra",
-                            "combinations", "fields"});
+  const Section output = root.table("output", {"points", "lines", "wave_points", "quantities",
+                                               "cross_spectra", "combinations", "fields"});
   data.points = read_points(output, "points");
   data.lines = read_lines(output);
   data.wave_points = read_points(output, "wave_points");

@@ -70,8 +70,8 @@ std::vector<QuantityPair> read_pairs(const Section& output, const Names& names) 
            *output.find("cross_spectra"), 4, full,
            "must be lists [\"POINT\", \"QUANTITY\", \"POINT\", \"QUANTITY\"]", output.source())) {
     const std::string name = fmt::format("{}[{}]", full, pairs.size());
-    pairs.push_back({names.pair(*element.as_array(), 0, name),
-                     names.pair(*element.as_array(), 2, name)});
+    pairs.push_back(
+        {names.pair(*element.as_array(), 0, name), names.pair(*element.as_array(), 2, name)});
   }
   return pairs;
 }
@@ -110,8 +110,8 @@ std::vector<CombinationTerm> von_mises_terms(const Section& combination, const N
     const auto at = std::find(data.quantities.begin(), data.quantities.end(), quantity);
     if (at == data.quantities.end())
       combination.source().refuse(
-          node.source(), fmt::format("invalid {} = {} (output.quantities must hold {} for it)", full,
-                                     shown(node), response::name(quantity)));
+          node.source(), fmt::format("invalid {} = {} (output.quantities must hold {} for it)",
+                                     full, shown(node), response::name(quantity)));
     terms.push_back({{point, static_cast<std::size_t>(at - data.quantities.begin())}, factor});
   }
   return terms;
@@ -121,12 +121,11 @@ Combination read_combination(const Section& combination, std::string name, const
                              const Case& data) {
   const bool terms = combination.find("terms"), von_mises = combination.find("von_mises");
   if (terms == von_mises)
-    combination.source().refuse(combination.place(),
-                                fmt::format("invalid {} (must have exactly one of terms, von_mises)",
-                                            combination.name()));
+    combination.source().refuse(
+        combination.place(),
+        fmt::format("invalid {} (must have exactly one of terms, von_mises)", combination.name()));
   if (terms) return {std::move(name), Combination::Kind::kSum, read_terms(combination, names)};
-  return {std::move(name), Combination::Kind::kVonMises,
-          von_mises_terms(combination, names, data)};
+  return {std::move(name), Combination::Kind::kVonMises, von_mises_terms(combination, names, data)};
 }
 
 }  // namespace

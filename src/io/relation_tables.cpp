@@ -38,8 +38,8 @@ void write_pairs(const std::filesystem::path& folder, const std::vector<std::str
                        comments("covariance at the same time and correlation of quantities at "
                                 "points, product of the SI units",
                                 remarks),
-                       {"sea", "mean_heading_deg", "point_1", "quantity_1", "point_2",
-                        "quantity_2", "covariance", "correlation"});
+                       {"sea", "mean_heading_deg", "point_1", "quantity_1", "point_2", "quantity_2",
+                        "covariance", "correlation"});
   for (const SeaResult& result : results)
     for (std::size_t p = 0; p < result.pairs.size(); ++p) {
       const PairResult& pair = result.pairs[p];

@@ -97,6 +97,9 @@ class ToldStore final : public Store {
                                       "headings around the circle",
                                       grid.omega.size(), grid.solved_frequencies,
                                       grid.interpolation_error, grid.headings));
+    if (grid.pressure_error > 0.0)
+      account_.fact("pressures", fmt::format("at the points to {:.1g} of the diffraction problem",
+                                             grid.pressure_error));
   }
 
   void finish(const std::vector<StageTime>& times) override { store_.finish(times); }

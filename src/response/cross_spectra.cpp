@@ -37,10 +37,9 @@ BallVector ball_vector(const GaussianVector& vector, const MatXd& form) {
   BallVector ball;
   ball.deviation = variance.tail(moving).cwiseSqrt();
   const MatXd with_derivative = turn * vector.with_derivative * turn.transpose();  // E[u_i u̇_j]
-  ball.drift =
-      with_derivative.transpose() * ball.deviation.cwiseAbs2().cwiseInverse().asDiagonal();
-  ball.spread = turn * vector.derivative_covariance * turn.transpose() -
-                ball.drift * with_derivative;
+  ball.drift = with_derivative.transpose() * ball.deviation.cwiseAbs2().cwiseInverse().asDiagonal();
+  ball.spread =
+      turn * vector.derivative_covariance * turn.transpose() - ball.drift * with_derivative;
   return ball;
 }
 
@@ -86,8 +85,7 @@ GaussianVector gaussian_vector(const std::vector<MatXcd>& spectra, const std::ve
                                const std::vector<double>& weight) {
   FLOE_EXPECT(spectra.size() == omega.size() && weight.size() == omega.size());
   const Index size = spectra.empty() ? 0 : spectra.front().rows();
-  GaussianVector vector{MatXd::Zero(size, size), MatXd::Zero(size, size),
-                        MatXd::Zero(size, size)};
+  GaussianVector vector{MatXd::Zero(size, size), MatXd::Zero(size, size), MatXd::Zero(size, size)};
   for (std::size_t i = 0; i < omega.size(); ++i) {
     vector.covariance += weight[i] * spectra[i].real();
     vector.with_derivative += weight[i] * omega[i] * spectra[i].imag();
@@ -100,8 +98,8 @@ double outcrossing_rate(const GaussianVector& vector, const MatXd& form, double 
   FLOE_VALIDATE(level > 0.0, "invalid level = " << level << " (must be positive)");
   const BallVector ball = ball_vector(vector, form);
   const Index dimension = ball.deviation.size();
-  FLOE_VALIDATE(dimension <= 3, "invalid count of components = " << dimension
-                                                                << " (must be at most 3)");
+  FLOE_VALIDATE(dimension <= 3,
+                "invalid count of components = " << dimension << " (must be at most 3)");
   if (dimension == 0) return 0.0;
   if (dimension == 1) return 2.0 * flow(ball, Small{{1.0}}, level);
 

@@ -64,8 +64,7 @@ TEST(OutcrossingRate, IsRicesRateForOneComponentAndTheClosedFormForTwoAndThree) 
   const double flow = std::sqrt(derivative / (2.0 * kPi));
   const double exponential = std::exp(-0.5 * level * level / variance);
   const double densities[] = {
-      2.0 / std::sqrt(2.0 * kPi * variance) * exponential,
-      level / variance * exponential,
+      2.0 / std::sqrt(2.0 * kPi * variance) * exponential, level / variance * exponential,
       std::sqrt(2.0 / kPi) * level * level / std::pow(variance, 1.5) * exponential};
   for (Index size = 1; size <= 3; ++size)
     EXPECT_NEAR(outcrossing_rate(independent(size, variance, derivative),
@@ -110,32 +109,33 @@ MatXd von_mises() {
   return form;
 }
 
-// Waves of random phase and Gaussian amplitude: how often √(yᵀ A y) rises above the level
-double counted_rate(const std::vector<double>& omega, const std::vector<MatXcd>& pseudo,
-                    const MatXd& form, double level, double duration, double step) {
-  std::mt19937 generator(17);
+// Waves of random phase and Gaussian amplitude: how often √(yᵀ A y) rises above the level within
+// the duration
+double count_in_a_sea(const std::vector<double>& omega, const std::vector<MatXcd>& pseudo,
+                      const MatXd& form, double level, double duration, std::mt19937& generator) {
+  constexpr double kStep = 0.1;  // the stress has peaks every 3 s
   std::normal_distribution<double> normal;
-  std::vector<VecXcd> amplitude;
-  std::vector<Complex> turn, phase;
+  std::vector<Eigen::Vector3cd> amplitude;
+  std::vector<Complex> turn;
   for (std::size_t i = 0; i < omega.size(); ++i)
     for (Index w = 0; w < pseudo[i].cols(); ++w) {
-      amplitude.push_back(pseudo[i].col(w) * Complex(normal(generator), normal(generator)));
-      turn.push_back(std::polar(1.0, -omega[i] * step));
-      phase.emplace_back(1.0);
+      amplitude.emplace_back(pseudo[i].col(w) * Complex(normal(generator), normal(generator)));
+      turn.push_back(std::polar(1.0, -omega[i] * kStep));
     }
-  long count = 0;
+  const Eigen::Matrix3d fixed_form = form;
+  int count = 0;
   bool above = true;
-  for (double t = 0.0; t < duration; t += step) {
-    VecXd y = VecXd::Zero(form.rows());
+  for (double t = 0.0; t < duration; t += kStep) {
+    Eigen::Vector3d y = Eigen::Vector3d::Zero();
     for (std::size_t w = 0; w < turn.size(); ++w) {
-      y += (amplitude[w] * phase[w]).real();
-      phase[w] *= turn[w];
+      y += amplitude[w].real();
+      amplitude[w] *= turn[w];
     }
-    const bool now = y.dot(form * y) > level * level;
+    const bool now = y.dot(fixed_form * y) > level * level;
     if (now && !above) ++count;
     above = now;
   }
-  return static_cast<double>(count) / duration;
+  return count;
 }
 
 TEST(twin_OutcrossingRate, AgreesWithCountsInSimulatedSeas) {
@@ -157,12 +157,19 @@ TEST(twin_OutcrossingRate, AgreesWithCountsInSimulatedSeas) {
   const double level = 2.0 * std::sqrt((von_mises() * vector.covariance).trace());
   const double expected = outcrossing_rate(vector, von_mises(), level);
 
-  // Crossings come in groups of a few: the count's deviation is about √(3 n)
-  const double duration = 3e5;
-  double counted = counted_rate(omega, pseudo, von_mises(), level, duration, 0.05);
-  const double count = expected * duration;
-  ASSERT_GT(count, 500.0);
-  EXPECT_NEAR(counted * duration, count, 3.0 * std::sqrt(3.0 * count));
+  // Many short seas: one long one of so few waves would have a variance of its own
+  constexpr int kSeas = 1000;
+  constexpr double kDuration = 150.0;
+  double sum = 0.0, squares = 0.0;
+  for (int i = 0; i < kSeas; ++i) {
+    const double count = count_in_a_sea(omega, pseudo, von_mises(), level, kDuration, generator);
+    sum += count;
+    squares += count * count;
+  }
+  const double mean = sum / kSeas;
+  const double error = std::sqrt((squares / kSeas - mean * mean) / kSeas);
+  ASSERT_LT(error, 0.03 * mean);
+  EXPECT_NEAR(mean, expected * kDuration, 3.0 * error);
 }
 
 TEST(MostProbableMaximum, IsExceededOnceInTheDuration) {

@@ -13,8 +13,8 @@ class CrossSpectra {
   /// `observed` holds one quantity a row, r × q.
   explicit CrossSpectra(MatXd observed);
 
-  /// Adds one frequency. `pseudo`: see pseudo_amplitudes; `factor` is what the rows leave out of the
-  /// quantities, (-iω)ᵏ for the k-th derivative in time.
+  /// Adds one frequency. `pseudo`: see pseudo_amplitudes; `factor` is what the rows leave out of
+  /// the quantities, (-iω)ᵏ for the k-th derivative in time.
   void add(const Eigen::Ref<const MatXcd>& pseudo, const VecXcd& factor);
 
   /// S_ab(ω) = ∑_θ ỹ_a* ỹ_b Δθ (R.5), one Hermitian matrix a frequency. With e^{-iωt}, b lags a by
@@ -37,9 +37,9 @@ struct GaussianVector {
 GaussianVector gaussian_vector(const std::vector<MatXcd>& spectra, const std::vector<double>& omega,
                                const std::vector<double>& weight);
 
-/// How often a second √(yᵀ A y) rises above `level` > 0, A symmetric and positive semi-definite: the
-/// mean rate at which the vector leaves the ellipsoid (R.7), Rice's formula, exact for a Gaussian
-/// vector of one to three independent components; relative error 1e-6 or less. [1/s]
+/// How often a second √(yᵀ A y) rises above `level` > 0, A symmetric and positive semi-definite:
+/// the mean rate at which the vector leaves the ellipsoid (R.7), Rice's formula, exact for a
+/// Gaussian vector of one to three independent components; relative error 1e-6 or less. [1/s]
 double outcrossing_rate(const GaussianVector& vector, const MatXd& form, double level);
 
 /// The level that √(yᵀ A y) exceeds once in `duration` [s] on average; 0 where it never moves.
