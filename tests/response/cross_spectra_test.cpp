@@ -166,10 +166,10 @@ TEST(twin_OutcrossingRate, AgreesWithCountsInSimulatedSeas) {
     sum += count;
     squares += count * count;
   }
-  const double mean = sum / kSeas;
-  const double error = std::sqrt((squares / kSeas - mean * mean) / kSeas);
-  ASSERT_LT(error, 0.03 * mean);
-  EXPECT_NEAR(mean, expected * kDuration, 3.0 * error);
+  const double mean_count = sum / kSeas;
+  const double error = std::sqrt((squares / kSeas - mean_count * mean_count) / kSeas);
+  ASSERT_LT(error, 0.03 * mean_count);
+  EXPECT_NEAR(mean_count, expected * kDuration, 3.0 * error);
 }
 
 TEST(MostProbableMaximum, IsExceededOnceInTheDuration) {
