@@ -144,6 +144,18 @@ class ResponseDifference {
 
 }  // namespace
 
+namespace {
+
+// Hands the spectra of all nodes at one frequency to the store, if they are wanted
+NodeSpectrumSink sink_of(const Case& data, std::size_t frequency, Store& store) {
+  if (!data.node_spectra) return {};
+  return [&store, frequency](std::size_t result, const VecXd& spectrum) {
+    store.node_spectrum(result, frequency, spectrum);
+  };
+}
+
+}  // namespace
+
 void solve_seas(const Case& data, const SeaBand& band, const PlateModel& plate,
                 const FluidModel& fluid, StageClock& clock, Log& log, Store& store) {
   // Prepare what is observed, from where and at which frequencies
@@ -169,7 +181,7 @@ void solve_seas(const Case& data, const SeaBand& band, const PlateModel& plate,
     clock.time("seas: response", [&] {
       const SeaTransfer transfer{grid.omega[i], waves.states(sample, grid.headings)};
       store.sea_transfer(transfer);
-      statistics.add(transfer);
+      statistics.add(transfer, sink_of(data, i, store));
     });
   }
 
@@ -188,7 +200,7 @@ void repeat_seas(const Case& data, const SeaGridReport& grid, Store& store) {
   for (std::size_t i = 0; i < grid.omega.size(); ++i) {
     const SeaTransfer transfer = store.known_transfer(i);
     store.sea_transfer(transfer);
-    statistics.add(transfer);
+    statistics.add(transfer, sink_of(data, i, store));
   }
   for (const SeaResult& result : statistics.results()) store.sea(result);
   store.end_seas(grid);

@@ -47,7 +47,7 @@ SeaStatistics::SeaStatistics(const std::vector<wave::SeaState>& seas, SeaObserva
 
 SeaStatistics::~SeaStatistics() = default;
 
-void SeaStatistics::add(const SeaTransfer& transfer) {
+void SeaStatistics::add(const SeaTransfer& transfer, const NodeSpectrumSink& sink) {
   for (Sum& sum : sums_) {
     const std::size_t i = sum.response.omega().size();
     FLOE_VALIDATE(
@@ -63,6 +63,11 @@ void SeaStatistics::add(const SeaTransfer& transfer) {
     }
     sum.response.add(transfer.omega, weight_[i], pseudo);
     sum.relations.add(transfer.omega, pseudo);
+    if (!sink) continue;
+    const MatXcd modes = pseudo.topRows(observation_.nodes.cols());
+    sink(static_cast<std::size_t>(&sum - sums_.data()),
+         response::standard_deviation(observation_.nodes, modes.conjugate() * modes.transpose())
+             .cwiseAbs2());
   }
 }
 

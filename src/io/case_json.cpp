@@ -64,6 +64,7 @@ Json output_json(const Case& data) {
           {"wave_points", json_of(data.wave_points)},
           {"quantities", quantities},
           {"relations", relations_json(data.relations)},
+          {"node_spectra", data.node_spectra},
           {"fields", fields}};
 }
 
@@ -135,6 +136,7 @@ void read_output(const Json& output, Case& data) {
     data.quantities.push_back(*quantity);
   }
   data.relations = relations_from(output.at("relations"));
+  data.node_spectra = output.at("node_spectra");
   for (const Json& field : output.at("fields"))
     data.fields.push_back({field.at("omega"), field.at("heading_deg")});
 }

@@ -161,8 +161,9 @@ const toml::table& named_table(const Section& section, const std::string& key) {
 
 void read_output(const Section& root, Case& data) {
   if (!root.find("output")) return;
-  const Section output = root.table("output", {"points", "lines", "wave_points", "quantities",
-                                               "cross_spectra", "combinations", "fields"});
+  const Section output =
+      root.table("output", {"points", "lines", "wave_points", "quantities", "cross_spectra",
+                            "combinations", "node_spectra", "fields"});
   data.points = read_points(output, "points");
   data.lines = read_lines(output);
   data.wave_points = read_points(output, "wave_points");

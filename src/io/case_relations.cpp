@@ -133,6 +133,13 @@ Combination read_combination(const Section& combination, std::string name, const
 void read_relations(const Section& output, Case& data) {
   const Names names(data, output.source());
   if (output.find("cross_spectra")) data.relations.pairs = read_pairs(output, names);
+  if (const toml::node* node = output.find("node_spectra")) {
+    if (!node->is_boolean())
+      output.source().refuse(node->source(),
+                             fmt::format("invalid {} = {} (must be true or false)",
+                                         output.full_name("node_spectra"), shown(*node)));
+    data.node_spectra = node->as_boolean()->get();
+  }
   const toml::table& table = named_table(output, "combinations");
   std::vector<std::string> known;
   for (const toml::key* name : keys_in_file_order(table)) known.emplace_back(name->str());

@@ -86,6 +86,10 @@ class ToldStore final : public Store {
     stop_if_asked();
   }
 
+  void node_spectrum(std::size_t result, std::size_t frequency, const VecXd& spectrum) override {
+    store_.node_spectrum(result, frequency, spectrum);
+  }
+
   void sea(const SeaResult& result) override {
     store_.sea(result);
     account_.sea(result);

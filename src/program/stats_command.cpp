@@ -3,6 +3,7 @@
 #include <floe/io/case_file.hpp>
 #include <floe/io/statistics_store.hpp>
 #include <floe/io/stored_run.hpp>
+#include <floe/io/stored_transfers.hpp>
 #include <floe/numeric/error.hpp>
 #include <floe/sea_statistics.hpp>
 
@@ -54,11 +55,9 @@ void tell_statistics(const StatsOptions& options) {
   RememberedLog log(account);
   const io::StoredRun run(options.directory);
   const std::vector<wave::SeaState> seas = io::read_sea_file(options.sea_file);
-  FLOE_VALIDATE_AS(StoreError, run.has_transfers(),
-                   run.directory().string()
-                       << " holds no transfer functions for seas (run the case with a [[sea]], or "
-                          "with sea_grid.omega = { from, to })");
-  const SeaGridReport grid = run.sea_grid();
+  const io::StoredTransfers transfers(run);
+  for (const std::string& warning : transfers.warnings()) log.warning(warning);
+  const SeaGridReport& grid = transfers.grid();
   for (const wave::SeaState& sea : seas) {
     require_band(sea, grid.omega.front(), grid.omega.back(), "run with a wider sea_grid.omega",
                  log);
@@ -66,12 +65,12 @@ void tell_statistics(const StatsOptions& options) {
   }
 
   // Put the seas on them
-  SeaStatistics statistics(seas, run.observation(), grid.omega, grid.headings,
+  SeaStatistics statistics(seas, transfers.observation(), grid.omega, grid.headings,
                            run.data().relations);
   for (std::size_t i = 0; i < grid.omega.size(); ++i) {
     log.progress(static_cast<double>(i) / static_cast<double>(grid.omega.size()),
                  fmt::format("{:.3f} rad/s", grid.omega[i]));
-    statistics.add(run.transfer(i));
+    statistics.add(transfers.transfer(i));
   }
   const std::vector<SeaResult> results = statistics.results();
   for (const SeaResult& result : results) account.sea(result);
