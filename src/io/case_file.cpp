@@ -58,13 +58,15 @@ std::string read_title(const Section& root) {
 
 }  // namespace
 
-std::vector<wave::SeaState> read_sea_file(const std::filesystem::path& path) {
+SeaFile read_sea_file(const std::filesystem::path& path) {
   CaseSource source{.name = path.string(), .notices = {}, .warnings = {}};
   try {
     const toml::table table = parse(read_text(source, path, "sea states"), source);
-    const Section root(table, "", source, {"sea"});
-    root.require("sea", "required: sea states [[sea]]");
-    return read_sea_states(root);
+    const Section root(table, "", source, {"sea", "scatter"});
+    if (!root.find("scatter")) root.require("sea", "required: sea states [[sea]], or [[scatter]]");
+    SeaFile file{read_sea_states(root), read_wave_climates(root, path.parent_path()), {}};
+    file.notices = std::move(source.notices);
+    return file;
   } catch (const DataError&) {
     throw;
   } catch (const InputError& error) {

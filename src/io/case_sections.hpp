@@ -3,6 +3,7 @@
 #include "io/toml_section.hpp"
 
 #include <floe/analysis.hpp>
+#include <floe/wave/scatter_diagram.hpp>
 
 #include <filesystem>
 
@@ -21,6 +22,9 @@ void read_output(const Section& root, Case& data);  ///< needs the waves
 void read_seas(const Section& root, Case& data);
 /// `[[sea]]` alone.
 std::vector<wave::SeaState> read_sea_states(const Section& root);
+/// `[[scatter]]`; the paths of its tables are taken from `folder`.
+std::vector<wave::WaveClimate> read_wave_climates(const Section& root,
+                                                  const std::filesystem::path& folder);
 
 /// Refuses a name that would be special in a table or a spreadsheet.
 void check_name(std::string_view name, const toml::source_region& place, const std::string& what,

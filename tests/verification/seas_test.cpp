@@ -1,4 +1,5 @@
 #include <floe/analysis.hpp>
+#include <floe/long_term_statistics.hpp>
 #include <floe/sea_statistics.hpp>
 
 #include <expect.hpp>
@@ -121,6 +122,58 @@ TEST(identity_Seas, PartitionsAddUp) {
   const SeaResult sum = statistics.results().front();
   EXPECT_LE(test::relative_error(sum.moments[3], run.seas[0].moments[3] + run.seas[2].moments[3]),
             1e-12);
+}
+
+TEST(twin_LongTerm, AClassHasTheMomentsOfItsSea) {
+  const test::RecordedRun& run = small_run();
+  std::vector<double> omega;
+  for (const SeaTransfer& transfer : run.transfers) omega.push_back(transfer.omega);
+  const auto circle = static_cast<int>(run.transfers.front().state.cols());
+
+  // Two headings, one between the circle's, and two periods; the class of 3 m and 11 s as a sea
+  wave::WaveClimate climate;
+  climate.name = "climate";
+  climate.gamma = 2.0;
+  climate.spreading = wave::Spreading::half_angle_cosine(8.0);
+  climate.mean_heading_deg = {0.0, 40.0};
+  climate.heading_probability = {0.25, 0.75};
+  climate.scatter = wave::scatter_diagram({1.0, 3.0}, {9.0, 11.0}, wave::PeriodType::kPeak,
+                                          (MatXd(2, 2) << 5, 3, 0, 2).finished());
+  const wave::SeaState sea{
+      .name = "class",
+      .description = "",
+      .partitions = {{wave::Spectrum::jonswap(3.0, 11.0, 2.0), climate.spreading}},
+      .mean_heading_deg = {40.0},
+      .allow_truncation = true};
+  LongTermStatistics many_years({climate}, run.observation, omega, circle);
+  SeaStatistics statistics({sea}, run.observation, omega, circle);
+  for (const SeaTransfer& transfer : run.transfers) {
+    many_years.add(transfer);
+    statistics.add(transfer);
+  }
+  const LongTermResult result = many_years.results().front();
+  const SeaResult expected = statistics.results().front();
+  for (std::size_t q = 0; q < expected.quantity.size(); ++q) {
+    EXPECT_LE(test::relative_error(9.0 * result.m0[q].col(3), expected.moments[q].col(0)), 1e-12);
+    EXPECT_LE(test::relative_error(9.0 * result.m2[q].col(3), expected.moments[q].col(2)), 1e-12);
+  }
+  EXPECT_NEAR(result.share_outside[1], expected.share_outside, 1e-10);
+
+  // The rate of peaks beyond a level, over classes and headings by hand (E.21)
+  const double level = 0.2;
+  double rate = 0.0;
+  for (Index h = 0; h < 2; ++h)
+    for (Index i = 0; i < 2; ++i)
+      for (Index j = 0; j < 2; ++j) {
+        const double height = i == 0 ? 1.0 : 3.0, share = h == 0 ? 0.25 : 0.75;
+        const double m0 = height * height * result.m0[0](4, 2 * h + j);
+        const double m2 = height * height * result.m2[0](4, 2 * h + j);
+        rate += share * climate.scatter.probability(i, j) * std::sqrt(m2 / m0) / (2.0 * M_PI) *
+                std::exp(-0.5 * level * level / m0);
+      }
+  const response::LongTermDistribution distribution = result.distribution(0, 4);
+  EXPECT_NEAR(distribution.exceedance(level) * distribution.peak_rate() / rate, 1.0, 1e-12);
+  EXPECT_EQ(result.worst_class(0, 4, distribution.return_value(3e9)).height, 3.0);
 }
 
 TEST(Seas, TellWhatIsLeftOut) {
