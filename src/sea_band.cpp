@@ -82,6 +82,7 @@ void require_band(const wave::WaveClimate& climate, double from, double to,
 
 SeaBand prepare_seas(const Case& data, const Meshes& meshes, Log& log) {
   if (data.seas.empty() && !(data.sea_grid.from && data.sea_grid.to)) return {};
+  check_zones(data, meshes.fluid, log);
   SeaBand band{std::numeric_limits<double>::infinity(), 0.0};
   for (const wave::SeaState& sea : data.seas) {
     band.from = std::min(band.from, quantile(sea, kShareBelow));

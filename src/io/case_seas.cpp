@@ -1,4 +1,5 @@
 #include "io/case_sections.hpp"
+#include "io/case_special_seas.hpp"
 #include "io/case_spectra.hpp"
 
 #include <floe/io/case_file.hpp>
@@ -27,31 +28,34 @@ std::string in_words(const Section& sea, const wave::Spectrum& spectrum) {
   return spectrum_words(sea, spectrum) + ", spreading " + spreading_words(sea);
 }
 
-// Partitions of their own, each with its heading, or the one that the sea itself describes
-void read_partitions(const Section& sea, wave::SeaState& state) {
-  const toml::node* node = sea.find("partition");
-  if (!node) {
-    state.partitions.push_back({read_spectrum(sea), read_spreading(sea)});
-    state.description = in_words(sea, state.partitions.back().spectrum);
-    const NumberList headings = sea.numbers("mean_heading_deg", heading_rule());
-    for (const double heading : headings.value) {
-      auto& all = state.mean_heading_deg;
-      if (std::find(all.begin(), all.end(), heading) == all.end()) all.push_back(heading);
-    }
-    return;
+void read_mean_headings(const Section& sea, wave::SeaState& state) {
+  for (const double heading : sea.numbers("mean_heading_deg", heading_rule()).value) {
+    auto& all = state.mean_heading_deg;
+    if (std::find(all.begin(), all.end(), heading) == all.end()) all.push_back(heading);
   }
-  for (const std::string& key : partition_keys())
-    if (sea.find(key))
+}
+
+// The tables under a key of a sea, which then has none of the keys `moved` itself
+const toml::array& tables_of(const Section& sea, const std::string& key,
+                             const std::vector<std::string>& moved) {
+  for (const std::string& other : moved)
+    if (sea.find(other))
       sea.source().refuse(
-          sea.find(key)->source(),
-          fmt::format("unused {} (a sea with partitions gives it in each)", sea.full_name(key)));
-  const toml::array* list = node->as_array();
+          sea.find(other)->source(),
+          fmt::format("unused {} (a sea with {}s gives it in each)", sea.full_name(other), key));
+  const toml::node& node = *sea.find(key);
+  const toml::array* list = node.as_array();
   if (!list || list->empty() || !list->is_array_of_tables())
-    sea.source().refuse(node->source(),
-                        fmt::format("invalid {} = {} (must be tables [[sea.partition]])",
-                                    sea.full_name("partition"), shown(*node)));
-  for (std::size_t i = 0; i < list->size(); ++i) {
-    const Section partition(*(*list)[i].as_table(), fmt::format("{}.partition[{}]", sea.name(), i),
+    sea.source().refuse(node.source(), fmt::format("invalid {} = {} (must be tables [[sea.{}]])",
+                                                   sea.full_name(key), shown(node), key));
+  return *list;
+}
+
+// Partitions of their own, each with its heading
+void read_partitions(const Section& sea, wave::SeaState& state) {
+  const toml::array& list = tables_of(sea, "partition", partition_keys());
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const Section partition(*list[i].as_table(), fmt::format("{}.partition[{}]", sea.name(), i),
                             sea.source(), partition_keys());
     const double heading = partition.number("mean_heading_deg", heading_rule());
     if (i == 0) state.mean_heading_deg = {heading};
@@ -63,9 +67,11 @@ void read_partitions(const Section& sea, wave::SeaState& state) {
   }
 }
 
-wave::SeaState read_sea(const toml::table& table, std::size_t number, CaseSource& source) {
-  std::vector<std::string> known = {"name", "partition", "duration", "allow_truncation"};
-  for (const std::string& key : partition_keys()) known.push_back(key);
+wave::SeaState read_sea(const toml::table& table, std::size_t number,
+                        const std::filesystem::path& folder, CaseSource& source) {
+  std::vector<std::string> known = {"name", "partition", "zone", "duration", "allow_truncation"};
+  for (const auto& keys : {partition_keys(), zone_keys(), measured_keys()})
+    known.insert(known.end(), keys.begin(), keys.end());
   const Section sea(table, fmt::format("sea[{}]", number), source, known);
   wave::SeaState state;
   const toml::node& name = sea.require("name", "required: a name for the tables of results");
@@ -75,7 +81,23 @@ wave::SeaState read_sea(const toml::table& table, std::size_t number, CaseSource
                             [](double x) { return x >= 60.0 && x <= 1e9; }};
   state.duration = sea.number_or("duration", duration, state.duration);
   state.allow_truncation = sea.flag_or("allow_truncation", false);
-  read_partitions(sea, state);
+
+  // One of four kinds: measured, of zones, of partitions, or one spectrum everywhere
+  const bool measured = sea.text_or("spectrum", "") == "measured";
+  if (!measured) refuse_keys_without(sea, "spectrum = \"measured\"", measured_keys());
+  if (!sea.find("zone")) refuse_keys_without(sea, "[[sea.zone]]", zone_keys());
+  if (measured) {
+    read_measured(sea, folder, state);
+  } else if (sea.find("zone")) {
+    read_zones(sea, tables_of(sea, "zone", spectrum_keys()), state);
+    read_mean_headings(sea, state);
+  } else if (sea.find("partition")) {
+    read_partitions(sea, state);
+  } else {
+    state.partitions.push_back({read_spectrum(sea), read_spreading(sea)});
+    state.description = in_words(sea, state.partitions.back().spectrum);
+    read_mean_headings(sea, state);
+  }
   return state;
 }
 
@@ -97,7 +119,8 @@ void read_sea_grid(const Section& root, Case& data) {
 
 }  // namespace
 
-std::vector<wave::SeaState> read_sea_states(const Section& root) {
+std::vector<wave::SeaState> read_sea_states(const Section& root,
+                                            const std::filesystem::path& folder) {
   std::vector<wave::SeaState> seas;
   const toml::node* node = root.find("sea");
   if (!node) return seas;
@@ -109,7 +132,7 @@ std::vector<wave::SeaState> read_sea_states(const Section& root) {
   for (std::size_t i = 0; i < list->size(); ++i) {
     const toml::table& table = *(*list)[i].as_table();
     try {
-      seas.push_back(read_sea(table, i, root.source()));
+      seas.push_back(read_sea(table, i, folder, root.source()));
     } catch (const BudgetError&) {
       throw;
     } catch (const InputError& error) {
@@ -123,9 +146,9 @@ std::vector<wave::SeaState> read_sea_states(const Section& root) {
   return seas;
 }
 
-void read_seas(const Section& root, Case& data) {
+void read_seas(const Section& root, const std::filesystem::path& folder, Case& data) {
   read_sea_grid(root, data);
-  data.seas = read_sea_states(root);
+  data.seas = read_sea_states(root, folder);
 }
 
 }  // namespace floe::io

@@ -25,7 +25,7 @@ constexpr NumberRule kDensity{"m² s/rad", "must be at least 0",
 
 const std::vector<std::string>& spectrum_names() {
   static const std::vector<std::string> names = {"bretschneider", "pierson-moskowitz", "jonswap",
-                                                 "table"};
+                                                 "table", "measured"};
   return names;
 }
 
@@ -99,6 +99,10 @@ void refuse_keys_of_others(const Section& section, const std::string& key,
 
 wave::Spectrum read_spectrum(const Section& sea) {
   const std::string kind = chosen_name(sea, "spectrum", spectrum_names());
+  if (kind == "measured")
+    sea.source().refuse(sea.find("spectrum")->source(),
+                        fmt::format("invalid {} = \"measured\" (must be of a whole [[sea]])",
+                                    sea.full_name("spectrum")));
   std::vector<std::string> used = {"significant_height", "peak_period"};
   if (kind == "bretschneider") used[1] = "significant_period";
   if (kind == "jonswap") used.emplace_back("gamma");

@@ -8,9 +8,9 @@ namespace floe::io {
 
 /// What a child process may use up.
 struct ChildLimits {
-  double seconds = 30.0;                          ///< of wall time, and of its processor
-  std::size_t memory = std::size_t{1} << 30;      ///< beyond what the process has now [byte]
-  std::size_t result = std::size_t{256} << 20;    ///< size of what it gives back [byte]
+  double seconds = 30.0;                        ///< of wall time, and of its processor
+  std::size_t memory = std::size_t{1} << 30;    ///< beyond what the process has now [byte]
+  std::size_t result = std::size_t{256} << 20;  ///< size of what it gives back [byte]
 };
 
 /// Runs `work` in a child process and gives back its text: for libraries that a damaged file can

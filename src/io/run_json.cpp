@@ -27,6 +27,8 @@ Json sea_results_json(const RunAccount& account) {
     seas.push_back({{"sea", sea.name},
                     {"mean_heading_deg", sea.mean_heading_deg},
                     {"significant_height", sea.significant_height},
+                    {"band_height", sea.band_height},
+                    {"spreading_sum", sea.spreading_sum},
                     {"share_outside", sea.share_outside},
                     {"grid_error", sea.grid_error}});
   Json climates = Json::array();
@@ -68,7 +70,8 @@ Json frequency_json(const FrequencyReport& report, double wavenumber) {
 }  // namespace
 
 RunAccount::Sea summary_of(const SeaResult& result) {
-  return {result.sea, result.mean_heading_deg, result.significant_height, result.share_outside,
+  return {result.sea,         result.mean_heading_deg, result.significant_height,
+          result.band_height, result.spreading_sum,    result.share_outside,
           result.grid_error};
 }
 

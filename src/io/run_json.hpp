@@ -28,7 +28,8 @@ struct RunAccount {
   SeaGridReport sea_grid;  ///< no frequency: no seas
   struct Sea {
     std::string name;
-    double mean_heading_deg, significant_height, share_outside, grid_error;
+    double mean_heading_deg, significant_height, band_height, spreading_sum, share_outside,
+        grid_error;
   };
   std::vector<Sea> seas;
   struct Climate {

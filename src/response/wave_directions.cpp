@@ -29,8 +29,7 @@ DirectionGrid refined(const std::vector<double>& heading, double step) {
 
 // Straight lines around the circle, headings × directions of the table
 MatXd lines_between(const std::vector<double>& table, const std::vector<double>& heading) {
-  MatXd matrix =
-      MatXd::Zero(static_cast<Index>(heading.size()), static_cast<Index>(table.size()));
+  MatXd matrix = MatXd::Zero(static_cast<Index>(heading.size()), static_cast<Index>(table.size()));
   std::size_t j = 0;
   for (std::size_t b = 0; b < heading.size(); ++b) {
     while (j + 1 < table.size() && heading[b] >= table[j + 1]) ++j;
@@ -56,8 +55,7 @@ WaveDirections::WaveDirections(const wave::Partition& partition, double mean_hea
     : partition_(partition),
       grid_(grid_of(partition, mean_heading, circle)),
       at_headings_(grid_.heading, circle) {
-  if (partition.measured)
-    from_table_ = lines_between(partition.measured->heading(), grid_.heading);
+  if (partition.measured) from_table_ = lines_between(partition.measured->heading(), grid_.heading);
 }
 
 std::vector<double> WaveDirections::energies(double omega) const {

@@ -42,8 +42,7 @@ MatXd coherence_factor(const MatXd& coherence) {
                 "invalid coherence with the eigenvalue "
                     << value[0] << " (must have none below 0: no three seas can be related so)");
   const Index terms = (value.array() > 1e-12 * largest).count();
-  return eigen.eigenvectors().rightCols(terms) *
-         value.tail(terms).cwiseSqrt().asDiagonal();
+  return eigen.eigenvectors().rightCols(terms) * value.tail(terms).cwiseSqrt().asDiagonal();
 }
 
 MatXd zone_amplitudes(const Zones& zones, const Points2& points) {

@@ -124,6 +124,48 @@ TEST(identity_Seas, PartitionsAddUp) {
             1e-12);
 }
 
+TEST(twin_Seas, AMeasuredTableOfASpectrumIsThatSpectrum) {
+  // Straight lines of 2° and 0.002 rad/s are off by at most h²/8 of the second derivatives: cos²ˢ
+  // with s = 8 has D''/D ≤ 4 in its width (6e-4), S of a peak of 0.07 ωp has 1/(0.07 ωp)² (2e-4)
+  const test::RecordedRun& run = small_run();
+  const wave::Spectrum spectrum = wave::Spectrum::jonswap(2.0, 9.0, 2.0);
+  const wave::Spreading spreading = wave::Spreading::half_angle_cosine(8.0);
+  const double degree = M_PI / 180.0;
+  std::vector<double> omega, heading;
+  for (int i = 0; i <= 300; ++i) omega.push_back(0.45 + 0.002 * i);
+  for (int j = 0; j < 180; ++j) heading.push_back(2.0 * degree * j);
+  MatXd density(301, 180);
+  for (Index i = 0; i < 301; ++i)
+    for (Index j = 0; j < 180; ++j)
+      density(i, j) = spectrum(omega[static_cast<std::size_t>(i)]) *
+                      spreading(heading[static_cast<std::size_t>(j)] - 40.0 * degree);
+  const wave::DirectionalSpectrum table(omega, heading, density);
+  EXPECT_NEAR(table.mean_heading(), 40.0 * degree, 1e-9);
+
+  wave::SeaState formula = run.data.seas[0], measured = run.data.seas[0];
+  formula.mean_heading_deg = measured.mean_heading_deg = {40.0};
+  formula.partitions = {{spectrum, spreading}};
+  measured.partitions = {{table.over_directions(), wave::Spreading::none(), 0.0, table}};
+  std::vector<double> frequencies;
+  for (const SeaTransfer& transfer : run.transfers) frequencies.push_back(transfer.omega);
+  SeaStatistics statistics({formula, measured}, run.observation, frequencies,
+                           static_cast<int>(run.transfers.front().state.cols()));
+  for (const SeaTransfer& transfer : run.transfers) statistics.add(transfer);
+  const std::vector<SeaResult> results = statistics.results();
+  for (std::size_t q = 0; q < results[0].moments.size(); ++q)
+    EXPECT_LE(test::relative_error(results[1].moments[q], results[0].moments[q]), 1e-3) << q;
+  EXPECT_NEAR(results[1].band_height, results[0].band_height, 1e-3 * results[0].band_height);
+}
+
+TEST(identity_Seas, TellWhatTheirSumsMakeOfThem) {
+  for (const SeaResult& sea : small_run().seas) {
+    EXPECT_NEAR(sea.spreading_sum, 1.0, 1e-6);
+    // What the frequencies sum up is what is not outside of them
+    EXPECT_NEAR(sea.band_height, sea.significant_height * std::sqrt(1.0 - sea.share_outside),
+                1e-3 * sea.significant_height);
+  }
+}
+
 TEST(twin_LongTerm, AClassHasTheMomentsOfItsSea) {
   const test::RecordedRun& run = small_run();
   std::vector<double> omega;
