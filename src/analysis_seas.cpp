@@ -93,6 +93,15 @@ std::vector<double> fine_frequencies(const Case& data, const SeaBand& band, doub
   return grid_of(count / 2);
 }
 
+// The states of one frequency: of waves of one metre everywhere, and of those of each zone (E.25)
+SeaTransfer transfer_of(const SeaFluid& waves, const FluidSample& sample, int headings,
+                        const MatXd& zone_amplitudes) {
+  SeaTransfer transfer{sample.omega, waves.states(sample, headings)};
+  for (Index z = 0; z < zone_amplitudes.cols(); ++z)
+    transfer.zone_states.push_back(waves.states(sample, headings, zone_amplitudes.col(z)));
+  return transfer;
+}
+
 // How much the responses to two candidates differ, for each quantity and the deflection as a whole
 // relative to the largest response so far, both in the sea: what neither wave nor plate has energy
 // in needs no accuracy
@@ -163,6 +172,7 @@ void solve_seas(const Case& data, const SeaBand& band, const PlateModel& plate,
   const double length = std::max(kReferenceLength / 10.0, mesh.size());
   SeaFluid waves = clock.time("seas: influences", [&] { return SeaFluid(data, plate, fluid); });
   const SeaObservation observation = observe(data, plate, fluid, waves);
+  const MatXd zones = all_zone_amplitudes(data.seas, mesh);
   SeaGridReport grid{fine_frequencies(data, band, length), circle_headings(data, mesh, band.to)};
   SeaStatistics statistics(data.seas, observation, grid.omega, grid.headings, data.relations);
   store.begin_seas(observation, grid);
@@ -179,7 +189,7 @@ void solve_seas(const Case& data, const SeaBand& band, const PlateModel& plate,
                  fmt::format("seas, {:.3f} rad/s", grid.omega[i]));
     const FluidSample sample = march.at(grid.omega[i]);
     clock.time("seas: response", [&] {
-      const SeaTransfer transfer{grid.omega[i], waves.states(sample, grid.headings)};
+      const SeaTransfer transfer = transfer_of(waves, sample, grid.headings, zones);
       store.sea_transfer(transfer);
       statistics.add(transfer, sink_of(data, i, store));
     });
