@@ -244,7 +244,14 @@ void NetcdfFile::mask(const std::string& variable, const char* attribute,
 }
 
 std::vector<double> NetcdfFile::unpacked_numbers(const std::string& variable) const {
-  std::vector<double> values = numbers(variable);
+  const std::vector<std::size_t> extent = shape(variable);
+  return unpacked_numbers(variable, std::vector<std::size_t>(extent.size(), 0), extent);
+}
+
+std::vector<double> NetcdfFile::unpacked_numbers(const std::string& variable,
+                                                 const std::vector<std::size_t>& start,
+                                                 const std::vector<std::size_t>& count) const {
+  std::vector<double> values = numbers(variable, start, count);
   mask(variable, "_FillValue", values);
   mask(variable, "missing_value", values);
   const double scale = attribute_number(variable, "scale_factor").value_or(1.0);

@@ -65,6 +65,9 @@ class NetcdfFile final {
   /// The values meant: `scale_factor` and `add_offset` applied, NaN for `_FillValue` and
   /// `missing_value`.
   std::vector<double> unpacked_numbers(const std::string& variable) const;
+  std::vector<double> unpacked_numbers(const std::string& variable,
+                                       const std::vector<std::size_t>& start,
+                                       const std::vector<std::size_t>& count) const;
   /// Texts without the padding (zeros, blanks) at their ends; from characters or from strings.
   std::vector<std::string> texts(const std::string& variable) const;
   /// Nothing where there is no such attribute or it is of the other kind.
