@@ -103,7 +103,7 @@ std::unique_ptr<const bem::PressureOperator> make_operator(const Case& data,
 FrequencyResult solve_frequency(const Case& data, const PlateModel& plate, const FluidModel& fluid,
                                 double omega, StageClock& clock);
 
-/// Chooses the band and holds it against every sea: warns where more than 2 % of m0 lie outside,
+/// Chooses the band and holds it against every sea: warns where more than 1 % of m0 lie outside,
 /// throws DataError for more than 5 % unless the sea allows it. Zones are held against the plate:
 /// a warning where they change within a wavelength, DataError where they leave a part of it out.
 SeaBand prepare_seas(const Case& data, const Meshes& meshes, Log& log);

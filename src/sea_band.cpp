@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kShareBelow = 1e-3;
 constexpr double kShareAbove = 5e-3;
-constexpr double kShareTold = 0.02;
+constexpr double kShareTold = 0.01;
 constexpr double kShareRefused = 0.05;
 constexpr double kHighest = 50.0;  // [rad/s]
 

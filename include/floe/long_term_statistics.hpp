@@ -37,7 +37,7 @@ struct LongTermResult {
   SeaClass worst_class(std::size_t quantity, Index point, double level) const;
 };
 
-/// Holds a climate against the frequencies that are computed [rad/s]: a warning where more than 2 %
+/// Holds a climate against the frequencies that are computed [rad/s]: a warning where more than 1 %
 /// of the energy of all its waves lie outside, DataError for more than 5 % unless it allows it.
 void require_band(const wave::WaveClimate& climate, double from, double to,
                   const std::string& remedy, Log& log);

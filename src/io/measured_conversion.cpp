@@ -1,3 +1,4 @@
+#define XXH_INLINE_ALL
 #include "io/measured_spectrum.hpp"
 #include "io/toml_section.hpp"
 

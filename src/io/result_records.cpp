@@ -60,6 +60,7 @@ Record record_of(const FrequencyResult& result) {
   record.put("added_mass", result.added_mass);
   record.put("damping", result.damping);
   record.put("exciting_force", result.exciting_force);
+  record.put("froude_krylov_force", result.froude_krylov_force);
   record.put("amplitudes", result.amplitudes);
   record.put("line_deflection", result.line_deflection);
   record.put("point_deflection", result.point_deflection);
@@ -91,6 +92,7 @@ FrequencyResult frequency_from(const Record& record) {
   result.added_mass = record.real("added_mass");
   result.damping = record.real("damping");
   result.exciting_force = record.complex("exciting_force");
+  result.froude_krylov_force = record.complex("froude_krylov_force");
   result.amplitudes = record.complex("amplitudes");
   result.line_deflection = record.complex("line_deflection");
   result.point_deflection = record.complex("point_deflection");

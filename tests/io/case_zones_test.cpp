@@ -91,7 +91,8 @@ TEST(CaseZones, NameTheFaultAndItsPlace) {
       {changed("spreading = \"cos2\"\n", ""), "missing sea[0].spreading (required"},
       {changed("[[sea.zone]]\nx", "gamma = 2\n[[sea.zone]]\nx"),
        "unused sea[0].gamma (a sea with zones gives it in each)"},
-      {changed("x = [-200, 0]\n", "z = [1, 2]\n"), "unknown key sea[0].zone[0].z (known are spec"},
+      {changed("x = [-200, 0]\n", "z = [1, 2]\n"),
+       "unknown key sea[0].zone[0].z (did you mean sea[0].zone[0].x?)"},
       {"[[sea]]\nname = \"a\"\nspectrum = \"jonswap\"\nsignificant_height = 1\npeak_period = 9\n"
        "spreading = \"none\"\nmean_heading_deg = [0]\ncoherence = 1\n",
        "case.toml:20:13: unused sea[0].coherence (it belongs to [[sea.zone]])"},

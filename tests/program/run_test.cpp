@@ -58,10 +58,11 @@ TEST(Run, StoresTheWholeResultOfATinyCase) {
   EXPECT_THAT(result.output, HasSubstr("37 nodes, 8 elements, 1 piece"));
   EXPECT_THAT(result.output, HasSubstr("tiny.out"));
   EXPECT_THAT(names_in(folder.path()), ElementsAre("tiny.out", "tiny.toml"));
-  EXPECT_THAT(names_in(folder.path() / "tiny.out"),
-              ElementsAre("dry_modes.csv", "exciting_force.csv", "fields", "fields.pvd",
-                          "hydro_coefficients.csv", "rao_lines.csv", "rao_points.csv",
-                          "rao_quantities.csv", "records", "run.json", "wave_points.csv"));
+  EXPECT_THAT(
+      names_in(folder.path() / "tiny.out"),
+      ElementsAre("dry_modes.csv", "exciting_force.csv", "fields", "fields.pvd",
+                  "hydro_coefficients.csv", "rao_lines.csv", "rao_points.csv", "rao_quantities.csv",
+                  "records", "result.nc", "run.json", "wave_points.csv"));
   EXPECT_EQ(rows_in(folder.read("tiny.out/dry_modes.csv")), 6);
   EXPECT_EQ(rows_in(folder.read("tiny.out/rao_points.csv")), 2 * 2 * 2);
   EXPECT_EQ(rows_in(folder.read("tiny.out/rao_lines.csv")), 2 * 2 * 5);
