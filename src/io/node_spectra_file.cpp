@@ -2,19 +2,15 @@
 
 #include <floe/numeric/error.hpp>
 
-#include <unistd.h>
-
 #include <string>
-#include <system_error>
+#include <vector>
 
 namespace floe::io {
 
 NodeSpectraFile::NodeSpectraFile(const std::filesystem::path& folder, const mesh::Q8Mesh& mesh,
                                  const std::vector<wave::SeaState>& seas,
                                  const std::vector<double>& omega)
-    : path_(folder / kName),
-      temporary_(path_.string() + ".tmp." + std::to_string(::getpid())),
-      file_(NetcdfFile::create(temporary_)) {
+    : pending_(folder / kName), file_(NetcdfFile::create(pending_.temporary())) {
   std::vector<std::string> names;
   std::vector<double> headings;
   for (const wave::SeaState& sea : seas)
@@ -35,15 +31,10 @@ NodeSpectraFile::NodeSpectraFile(const std::filesystem::path& folder, const mesh
     file_.add_numbers(name, {"node"}, {values.data(), static_cast<std::size_t>(values.size())});
     file_.add_attribute(name, "units", "m");
   }
-  file_.define_numbers("spectrum", {"sea", "omega", "node"}, Compression::kNone);
+  file_.define_parts("spectrum", {"sea", "omega", "node"}, 2);
   file_.add_attribute("spectrum", "units", "m^2 s/rad");
   file_.add_attribute("spectrum", "long_name",
                       "one-sided spectrum of the deflection over angular frequency");
-}
-
-NodeSpectraFile::~NodeSpectraFile() {
-  std::error_code ignored;
-  std::filesystem::remove(temporary_, ignored);
 }
 
 void NodeSpectraFile::put(std::size_t result, std::size_t frequency, const VecXd& spectrum) {
@@ -55,9 +46,7 @@ void NodeSpectraFile::put(std::size_t result, std::size_t frequency, const VecXd
 
 void NodeSpectraFile::commit() {
   file_.close();
-  std::error_code error;
-  std::filesystem::rename(temporary_, path_, error);
-  if (error) throw FileError("cannot write " + path_.string() + ": " + error.message());
+  pending_.commit();
 }
 
 }  // namespace floe::io

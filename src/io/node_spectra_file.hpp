@@ -1,5 +1,6 @@
 #pragma once
 
+#include "io/atomic_file.hpp"
 #include "io/netcdf_file.hpp"
 
 #include <floe/analysis.hpp>
@@ -18,16 +19,13 @@ class NodeSpectraFile {
 
   NodeSpectraFile(const std::filesystem::path& folder, const mesh::Q8Mesh& mesh,
                   const std::vector<wave::SeaState>& seas, const std::vector<double>& omega);
-  ~NodeSpectraFile();  ///< removes what was not committed
-  NodeSpectraFile(const NodeSpectraFile&) = delete;
-  NodeSpectraFile& operator=(const NodeSpectraFile&) = delete;
 
   /// `result` counts the mean headings of all seas, `frequency` the frequencies, from 0.
   void put(std::size_t result, std::size_t frequency, const VecXd& spectrum);
   void commit();
 
  private:
-  std::filesystem::path path_, temporary_;
+  PendingFile pending_;
   NetcdfFile file_;
 };
 
