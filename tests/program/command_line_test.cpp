@@ -44,7 +44,8 @@ TEST(Program, RefusesWrongCommandLinesWithTwo) {
   folder.write("case.toml", kCaseText);
   const std::pair<const char*, const char*> table[] = {
       {"",
-       "missing word after floe (must be one of run, check, stats, report, mesh; floe --help tells "
+       "missing word after floe (must be one of run, check, stats, report, export, mesh; floe "
+       "--help tells "
        "more)"},
       {"rnu case.toml", "unknown command rnu (did you mean run?)"},
       {"run", "case is required"},
