@@ -1,6 +1,8 @@
 #include "io/case_json.hpp"
+#include "io/node_spectra_file.hpp"
 #include "io/output_directory.hpp"
 #include "io/record_names.hpp"
+#include "io/relation_tables.hpp"
 #include "io/result_records.hpp"
 #include "io/result_tables.hpp"
 #include "io/run_json.hpp"
@@ -8,6 +10,7 @@
 #include "io/vtu.hpp"
 
 #include <floe/io/directory_store.hpp>
+#include <floe/io/interchange.hpp>
 #include <floe/io/stored_run.hpp>
 #include <floe/mesh/mesh_hash.hpp>
 #include <floe/numeric/error.hpp>
@@ -57,6 +60,9 @@ class DirectoryStore::Impl {
   void frequency(const FrequencyResult& result);
   void begin_seas(const SeaObservation& observation, const SeaGridReport& planned);
   void sea_transfer(const SeaTransfer& transfer);
+  void node_spectrum(std::size_t result, std::size_t frequency, const VecXd& spectrum) {
+    node_spectra_->put(result, frequency, spectrum);
+  }
   void sea(const SeaResult& result) { seas_.push_back(result); }
   void end_seas(const SeaGridReport& grid);
   void end(const std::string& status);
@@ -85,6 +91,7 @@ class DirectoryStore::Impl {
   std::optional<ResultTables> tables_;
   std::vector<PvdEntry> fields_;
   std::vector<SeaResult> seas_;
+  std::optional<NodeSpectraFile> node_spectra_;
   std::size_t transfers_ = 0;  // stored so far
 };
 
@@ -104,6 +111,11 @@ void DirectoryStore::Impl::begin(const Case& given, const mesh::Q8Mesh& given_me
   account.plan = plan;
   account.warnings = preflight(given, given_mesh).warnings;
   account.files = product_names();
+  if (data_.route == SolverRoute::kDirect)
+    std::erase_if(account.files, [](const std::string& name) {
+      return std::find(modal_product_names().begin(), modal_product_names().end(), name) !=
+             modal_product_names().end();
+    });
   if (!data_.title.empty()) remarks_.push_back(data_.title);
   for (const std::string& warning : account.warnings) remarks_.push_back("warning: " + warning);
 
@@ -242,7 +254,10 @@ void DirectoryStore::Impl::begin_seas(const SeaObservation& observation,
   for (std::size_t s = 0, i = 0; s < data_.seas.size(); ++s)
     for (std::size_t m = 0; m < data_.seas[s].mean_heading_deg.size(); ++m, ++i)
       account.files.push_back(numbered_record("sea", i));
+  const bool nodes = data_.node_spectra && !data_.seas.empty();
+  if (nodes) account.files.emplace_back(NodeSpectraFile::kName);
   write_account();
+  if (nodes) node_spectra_.emplace(directory.path(), *mesh_, data_.seas, planned.omega);
   store_record(kObservation, record_of(observation, planned));
 }
 
@@ -259,12 +274,17 @@ void DirectoryStore::Impl::end_seas(const SeaGridReport& grid) {
     warn_of_truncation(sea);
   }
   account.files.insert(account.files.end(), sea_table_names().begin(), sea_table_names().end());
+  for (const std::string& name : relation_table_names(data_.relations))
+    account.files.push_back(name);
   account.files.emplace_back("statistics.vtu");
   write_account();
   for (std::size_t i = 0; i < seas_.size(); ++i)
     record_of(seas_[i]).write(file(numbered_record("sea", i)));
   write_sea_tables(directory.path(), remarks_, data_, seas_);
+  write_relation_tables(directory.path(), remarks_, data_, seas_);
   write_statistics_vtu(file("statistics.vtu"), *mesh_, seas_);
+  if (node_spectra_) node_spectra_->commit();
+  node_spectra_.reset();
 }
 
 void DirectoryStore::Impl::end(const std::string& status) {
@@ -279,6 +299,10 @@ void DirectoryStore::Impl::end(const std::string& status) {
   tables_->commit();
   tables_.reset();
   write_pvd(file("fields.pvd"), fields_);
+  if (data_.route == SolverRoute::kDirect)
+    directory.remove(modal_product_names());
+  else
+    write_netcdf(StoredRun(directory.path()), file("result.nc"), plate::DofSet::kPlate);
   account.status = status;
   write_account();
 }
@@ -327,6 +351,11 @@ void DirectoryStore::begin_seas(const SeaObservation& observation, const SeaGrid
 }
 
 void DirectoryStore::sea_transfer(const SeaTransfer& transfer) { impl_->sea_transfer(transfer); }
+
+void DirectoryStore::node_spectrum(std::size_t result, std::size_t frequency,
+                                   const VecXd& spectrum) {
+  impl_->node_spectrum(result, frequency, spectrum);
+}
 
 void DirectoryStore::sea(const SeaResult& result) { impl_->sea(result); }
 

@@ -41,4 +41,7 @@ class OutputDirectory final {
 /// Names of all tables and indices that a run writes at the top of its directory.
 const std::vector<std::string>& product_names();
 
+/// Those of them that hold modes; a run by the direct route leaves them out.
+const std::vector<std::string>& modal_product_names();
+
 }  // namespace floe::io

@@ -56,15 +56,25 @@ mesh::Q8Mesh StoredRun::mode_mesh() const {
   return mesh_from(Record::read(record(own ? kModeMesh : kFluidMesh)));
 }
 
-plate::DryModes StoredRun::modes() const { return modes_from(Record::read(record(kModes))); }
+plate::DryModes StoredRun::modes() const {
+  FLOE_VALIDATE_AS(StoreError, data_.route == SolverRoute::kModal,
+                   directory_.string() << " was solved by the direct route, which knows no modes "
+                                          "(must be solved with solver.route = \"modal\")");
+  return modes_from(Record::read(record(kModes)));
+}
+
+bool StoredRun::has_frequency(std::size_t place) const {
+  return std::filesystem::exists(record(numbered_record("frequency", place)));
+}
+
+FrequencyResult StoredRun::frequency(std::size_t place) const {
+  return frequency_from(Record::read(record(numbered_record("frequency", place))));
+}
 
 std::vector<FrequencyResult> StoredRun::frequencies() const {
   std::vector<FrequencyResult> results;
-  for (std::size_t i = 0; i < data_.omega.size(); ++i) {
-    const std::filesystem::path path = record(numbered_record("frequency", i));
-    if (!std::filesystem::exists(path)) break;
-    results.push_back(frequency_from(Record::read(path)));
-  }
+  for (std::size_t i = 0; i < data_.omega.size(); ++i)
+    if (has_frequency(i)) results.push_back(frequency(i));
   return results;
 }
 
