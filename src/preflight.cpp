@@ -14,6 +14,9 @@
 namespace floe {
 namespace {
 
+// Fewer nodes a wavelength are refused always: such a result would be noise, and the Green
+// function's table, which grows with the mesh's size in wavelengths, would fill any memory
+constexpr double kNodesAtLeast = 0.1;
 constexpr double kLargestAspect = 20.0;
 constexpr double kLargestJump = 10.0;
 constexpr double kLargestScale = 1e4;
@@ -152,6 +155,12 @@ Preflight preflight(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Me
 
 void require_resolution(const Case& data, const Preflight& found) {
   double least = std::numeric_limits<double>::infinity();
+  const std::string hopeless = name_coarse(found.resolution, kNodesAtLeast, least);
+  FLOE_VALIDATE(
+      hopeless.empty(),
+      "invalid mesh resolution = " << fmt::format("{:.2g}", least) << " nodes per wavelength at "
+                                   << hopeless << " (must be at least " << kNodesAtLeast
+                                   << ", even with --allow-coarse; are mesh and depth in metres?)");
   const std::string coarse = name_coarse(found.resolution, kNodesRequired, least);
   FLOE_VALIDATE(coarse.empty() || data.allow_coarse,
                 "invalid mesh resolution = " << fmt::format("{:.2g}", least)
