@@ -13,12 +13,13 @@ namespace floe::io {
 /// What a user says about a file of measured spectra. Units and convention are for files that do
 /// not say them; a file that says something else is refused.
 struct MeasuredRequest {
-  std::optional<std::size_t> time_index, site_index;  ///< from 0; for files that hold several
-  std::string density_units;                          ///< "m2 s degree-1", "m2 s rad-1", "m2 s"
-  std::string frequency_units;                        ///< "Hz"
-  std::string direction_units;                        ///< "degree", "rad"
-  std::string directions;                             ///< "coming-from", "going-to"
-  std::optional<double> x_axis_bearing_deg;  ///< of the structure's +x, clockwise from north
+  std::optional<std::size_t> time_index = {},
+                             site_index = {};     ///< from 0; for files that hold several
+  std::string density_units = {};                 ///< "m2 s degree-1", "m2 s rad-1", "m2 s"
+  std::string frequency_units = {};               ///< "Hz"
+  std::string direction_units = {};               ///< "degree", "rad"
+  std::string directions = {};                    ///< "coming-from", "going-to"
+  std::optional<double> x_axis_bearing_deg = {};  ///< of the structure's +x, clockwise from north
 };
 
 /// One spectrum as a file holds it, and what the file says about it.

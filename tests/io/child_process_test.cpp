@@ -62,8 +62,10 @@ TEST(ChildProcess, IsStoppedWhenItTakesTooMuch) {
               HasSubstr("takes longer than 0.3 s"));
   EXPECT_THAT(fault(
                   []() -> std::string {
-                    for (volatile long i = 0;; i = i + 1) {
+                    volatile bool busy = true;
+                    while (busy) {
                     }
+                    return "";
                   },
                   brief),
               HasSubstr("takes longer than 0.3 s"));
