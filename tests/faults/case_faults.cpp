@@ -198,7 +198,7 @@ std::vector<Fault> wrong_physics() {
 std::vector<Fault> wrong_surroundings() {
   const std::string deep = [] {
     std::string path;
-    for (int i = 0; i < 15; ++i) path += std::string(200, 'd') + "/";
+    for (int i = 0; i < 15; ++i) path.append(200, 'd').append("/");
     return path;
   }();
   const auto in = [](const std::string& path, const std::string& mesh) {
