@@ -66,7 +66,7 @@ TEST(limit_DirectRoute, IsTheModalRouteWithAllModes) {
 
 TEST(limit_DirectRoute, TellsSlopesForcesAndPressuresOfTheModalRoute) {
   Case data = small_case();
-  data.omega = {0.5};  // 17 nodes a wavelength
+  data.mesh = mesh::RectangleOptions{.length = 300.0, .width = 60.0, .nx = 40, .ny = 8};
   data.quantities = {Quantity::kSlopeX, Quantity::kAcceleration, Quantity::kBendingMomentY,
                      Quantity::kPressure, Quantity::kRelativeElevation};
   data.wave_points = {{"lee", {200.0, 10.0}}};
