@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numbers>
 
@@ -69,20 +70,20 @@ void warn_about_waves(const std::vector<Resolution>& resolution, double size,
   }
 }
 
-// A plate has about area·k²/4π modes below the wavenumber k of its waves, a few more for its edges;
-// a converged answer takes about four times as many
+// A plate has about area·k²/4π elastic modes below the wavenumber k of its waves; a converged
+// answer takes about four times as many
 void warn_about_modes(const Case& data, const mesh::Q8Mesh& mesh, double shortest,
                       std::vector<std::string>& warnings) {
   constexpr double kTimesBelow = 4.0;
   if (data.route == SolverRoute::kDirect) return;
   const double k = 2.0 * std::numbers::pi / shortest;
-  const double below = mesh.area() * k * k / (4.0 * std::numbers::pi) +
-                       3.0 * static_cast<double>(mesh.piece_count());
-  if (static_cast<double>(data.mode_count) >= kTimesBelow * below) return;
+  const double below = mesh.area() * k * k / (4.0 * std::numbers::pi);
+  const double wanted = 3.0 * static_cast<double>(mesh.piece_count()) + kTimesBelow * below;
+  if (static_cast<double>(data.mode_count) >= wanted) return;
   warnings.push_back(fmt::format(
-      "few modes: modes.count = {}, about {:.0f} modes are longer than the shortest wave along the "
-      "plate ({:.3g} m; four times as many are good, or solver.route = \"direct\")",
-      data.mode_count, below, shortest));
+      "few modes: modes.count = {}, about {:.0f} elastic modes are longer than the shortest wave "
+      "along the plate, {:.3g} m (modes.count = {:.0f} is good, or solver.route = \"direct\")",
+      data.mode_count, below, shortest, std::ceil(wanted)));
 }
 
 // The points and the stations of the lines lie on the mesh

@@ -185,10 +185,10 @@ TEST(CaseFile, NamesPlaceValueAndRemedyOfEveryFault) {
       {"58.5", "-3", "case.toml:2:9: invalid water.depth = -3 m (must be positive or inf)"},
       {"58.5", "0", "case.toml:2:9: invalid water.depth = 0 m (must be positive or inf)"},
       {"58.5", "-0.0", "case.toml:2:9: invalid water.depth = -0 m (must be positive or inf)"},
-      {"58.5", "nan", "case.toml:2:9: invalid water.depth = nan m (must be positive or inf)"},
+      {"58.5", "nan", "case.toml:2:9: invalid water.depth = nan m (must be at least 0.001 or inf)"},
       {"58.5", "-inf", "case.toml:2:9: invalid water.depth = -inf m (must be positive or inf)"},
       {"58.5", "1e-310",
-       "case.toml:2:9: invalid water.depth = 1e-310 m (must be positive or inf; "},
+       "case.toml:2:9: invalid water.depth = 1e-310 m (must be at least 0.001 or inf; "},
       {"58.5", "1e400", "case.toml:2:"},
       {"= 2.0", "= 0", "case.toml:4:13: invalid plate.thickness = 0 m (must be positive)"},
       {"= 2.0", "= inf", "case.toml:4:13: invalid plate.thickness = inf m (must be positive)"},
@@ -250,7 +250,8 @@ TEST(CaseFile, NamesPlaceValueAndRemedyOfEveryFault) {
        "case.toml:9:1: unknown key mesh.rectangel (did you mean mesh.rectangle?)"},
       // Missing and ambiguous
       {"depth = 58.5", "",
-       "case.toml:1:1: missing water.depth (required: a number in m, must be positive or inf)"},
+       "case.toml:1:1: missing water.depth (required: a number in m, must be at least 0.001 or "
+       "inf)"},
       {"omega = [0.4, 0.5]\n", "",
        "case.toml:10:1: missing waves (must hold one of omega, period, freq, wavenumber, "
        "wavelength)"},
