@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstdlib>
 #include <ctime>
 
 namespace floe::io {
@@ -27,7 +28,9 @@ constexpr const char* kMotions =
     "in kg^(1/2) m.";
 
 std::string now() {
-  const std::time_t time = std::time(nullptr);
+  // Builds and tests that want the same bytes each time say which time it is
+  const char* const fixed = std::getenv("SOURCE_DATE_EPOCH");
+  const std::time_t time = fixed ? std::strtoll(fixed, nullptr, 10) : std::time(nullptr);
   std::tm parts{};
   gmtime_r(&time, &parts);
   std::string text(32, '\0');

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cstdlib>
 #include <map>
 #include <random>
 
@@ -53,6 +54,11 @@ std::map<std::string, std::string> products_in(const TestFolder& folder, const s
   }
   return products;
 }
+
+// result.nc tells when it was made, unless it is told
+const struct FixedTime {
+  FixedTime() { ::setenv("SOURCE_DATE_EPOCH", "0", 1); }
+} kFixedTime;
 
 void expect_same_products(const TestFolder& folder, const std::string& a, const std::string& b) {
   const auto expected = products_in(folder, a), actual = products_in(folder, b);
