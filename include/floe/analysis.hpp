@@ -48,8 +48,8 @@ struct FieldRequest {
 /// How the fluid's equation is solved: dense LU, or GMRES on a fast operator.
 enum class SolverMethod { kAuto, kDense, kLattice, kPfft, kFmm };
 
-/// How plate and fluid are put together: by dry modes, one radiation problem each, or in one coupled
-/// equation, one solution a heading.
+/// How plate and fluid are put together: by dry modes, one radiation problem each, or in one
+/// coupled equation, one solution a heading.
 enum class SolverRoute { kModal, kDirect };
 
 /// "modal", "direct", as case files and run.json have it.
@@ -149,9 +149,9 @@ class Log {
 
 struct Estimate;
 
-/// Where results go. Called in this order: once `begin`, on the modal route once `modes`, each frequency by rising ω,
-/// once `finish`. With seas, after the frequencies: once `begin_seas`, the transfer functions by
-/// rising ω, each sea and mean heading as in the case, once `end_seas`.
+/// Where results go. Called in this order: once `begin`, on the modal route once `modes`, each
+/// frequency by rising ω, once `finish`. With seas, after the frequencies: once `begin_seas`, the
+/// transfer functions by rising ω, each sea and mean heading as in the case, once `end_seas`.
 class Store {
  public:
   virtual ~Store() = default;

@@ -443,7 +443,7 @@ class Seas(unittest.TestCase):
             with xarray.open_dataset(path / "sea.out" / "result.nc") as data:
                 self.assertEqual(list(data.sea_name.values), ["design"] * 2)
                 np.testing.assert_allclose(data.sea_wave_direction, np.radians([0, 40]), rtol=1e-15)
-                self.assertEqual(list(data.sea_quantity.values), ["deflection", "bending_moment_x"])
+                self.assertEqual(list(data.sea_quantity.values), ["deflection", "bending_moment_x", "pressure"])
                 rows = table(path / "sea.out" / "statistics_points.csv")
                 for name in ("m0", "m1", "m2", "m4"):
                     values = data[name].transpose("sea_state", "point", "sea_quantity").values.ravel()

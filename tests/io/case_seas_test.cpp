@@ -203,8 +203,9 @@ std::string relation_refusal(const std::string& line) {
 TEST(CaseRelations, RefuseWhatIsNotThere) {
   EXPECT_THAT(relation_refusal(R"(cross_spectra = [["A", "deflection", "B", "deflectoin"]])"),
               HasSubstr("did you mean deflection?"));
-  EXPECT_THAT(relation_refusal(R"(cross_spectra = [["elsewhere", "deflection", "B", "deflection"]])"),
-              HasSubstr("must be one of output.points"));
+  EXPECT_THAT(
+      relation_refusal(R"(cross_spectra = [["elsewhere", "deflection", "B", "deflection"]])"),
+      HasSubstr("must be one of output.points"));
   EXPECT_THAT(relation_refusal(R"(cross_spectra = [["A", "deflection"]])"),
               HasSubstr("must be lists"));
   EXPECT_THAT(relation_refusal(R"(cross_spectra = [["A", "pressure", "B", "deflection"]])"),

@@ -101,9 +101,9 @@ TEST(order_SectionForces, ConvergeWithTheSecondOrder) {
       const double moment = (1.0 + 0.3 * 0.49) * displacement[3 * n];
       moment_error[level] =
           std::max(moment_error[level], std::abs(forces(5 * n + kBendingMomentX, 0) - moment));
-      slope_error[level] = std::max(
-          {slope_error[level], std::abs(slope_x(n, 0) + displacement[3 * n + 2]),
-           std::abs(slope_y(n, 0) - displacement[3 * n + 1])});
+      slope_error[level] =
+          std::max({slope_error[level], std::abs(slope_x(n, 0) + displacement[3 * n + 2]),
+                    std::abs(slope_y(n, 0) - displacement[3 * n + 1])});
     }
   }
   EXPECT_GT(test::observed_order(side, moment_error), 1.8);

@@ -183,7 +183,7 @@ allow_truncation = true
   EXPECT_THAT(result.output, HasSubstr("in 100 years deflection w "));
   // Two headings, three periods, two points, three quantities; three return periods
   EXPECT_EQ(rows_in(folder.read("climate.out/short_term.csv")), 2 * 3 * 2 * 3);
-  EXPECT_EQ(rows_in(folder.read("climate.out/return_values.csv")), 2 * 3 * 3);
+  ASSERT_EQ(rows_in(folder.read("climate.out/return_values.csv")), 2 * 3 * 3);
   EXPECT_GT(rows_in(folder.read("climate.out/long_term.csv")), 2 * 3 * 20);
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "climate.out/statistics_points.csv"));
   const auto run = nlohmann::json::parse(folder.read("climate.out/run.json"));
@@ -194,8 +194,11 @@ allow_truncation = true
   folder.write("both.toml", scatter + kSeaFile);
   ASSERT_EQ(run_floe(folder, "stats tiny.out --sea both.toml").code, 0);
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "both.out/statistics_points.csv"));
-  EXPECT_EQ(folder.read("both.out/return_values.csv"),
-            folder.read("climate.out/return_values.csv"));
+  const auto without_warnings = [](const std::string& table) {
+    return table.substr(table.find("\nscatter,"));
+  };
+  EXPECT_EQ(without_warnings(folder.read("both.out/return_values.csv")),
+            without_warnings(folder.read("climate.out/return_values.csv")));
   folder.write("north.csv", "Hs,8.5,10.5\n1.5,50\n");
   const ProgramResult ragged = run_floe(folder, "stats tiny.out --sea both.toml --fresh");
   EXPECT_EQ(ragged.code, 5);
