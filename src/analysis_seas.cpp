@@ -1,5 +1,6 @@
 #include "analysis_stages.hpp"
 #include "fluid_march.hpp"
+#include "work_share.hpp"
 
 #include <floe/coupling/modal_equation.hpp>
 #include <floe/hydro/surface_integrals.hpp>
@@ -156,6 +157,12 @@ class ResponseDifference {
         observed_(observed),
         largest_(observed.quantity.size() + 1, 0.0) {}
 
+  /// One a quantity and the deflection as a whole; all comparisons so far went into it.
+  const std::vector<double>& largest() const { return largest_; }
+  void remember(const std::vector<double>& largest) {
+    if (largest.size() == largest_.size()) largest_ = largest;
+  }
+
   double operator()(const FluidSample& a, const FluidSample& b) {
     const MatXcd one = states(data_, plate_, fluid_, a, kProbeHeadings);
     const MatXcd other = states(data_, plate_, fluid_, b, kProbeHeadings);
@@ -195,10 +202,21 @@ class ResponseDifference {
   std::vector<double> largest_;
 };
 
+// A march that begins, or goes on where an earlier run left it
+FluidMarch begin_march(const FluidMarch::Options& options, const std::optional<SeaMarch>& earlier,
+                       Store& store, const FluidMarch::Solve& solve,
+                       const FluidMarch::Difference& difference) {
+  if (!earlier) return {options, solve, difference};
+  std::deque<FluidSample> samples;
+  for (const int number : earlier->samples) samples.push_back(*store.known_sea_sample(number));
+  return {options, *earlier, std::move(samples), solve, difference};
+}
+
 }  // namespace
 
 void solve_seas(const Case& data, const SeaBand& band, const PlateModel& plate,
-                const FluidModel& fluid, StageClock& clock, Log& log, Store& store) {
+                const FluidModel& fluid, StageClock& clock, WorkShare& work, Log& log,
+                Store& store) {
   // Prepare what is observed, from where and at which frequencies
   const mesh::Q8Mesh& mesh = fluid.integrals.mesh();
   const double length = std::max(kReferenceLength / 10.0, mesh.size());
@@ -207,25 +225,52 @@ void solve_seas(const Case& data, const SeaBand& band, const PlateModel& plate,
   const SeaObservation observation = observe(data, plate, fluid, influence.constant.cols(), log);
   SeaGridReport grid{fine_frequencies(data, band, length), circle_headings(data, mesh, band.to)};
   SeaStatistics statistics(data.seas, observation, grid.omega, grid.headings);
+  const std::optional<SeaMarch> earlier = store.known_sea_march();
   store.begin_seas(observation, grid);
 
-  // Solve as few frequencies as the tolerance needs, tell the fluid in between
-  FluidMarch march(
-      band.from, band.to, kFirstStep * kReferenceLength / length, data.sea_grid.tolerance,
-      [&](double omega) {
-        return clock.time("seas: radiation",
-                          [&] { return solve_sample(data, fluid, influence, omega); });
-      },
-      ResponseDifference(data, plate, fluid, observation));
+  // Solve as few frequencies as the tolerance needs
+  ResponseDifference difference(data, plate, fluid, observation);
+  if (earlier) difference.remember(earlier->largest_response);
+  const auto solve = [&](int number, double omega) {
+    if (std::optional<FluidSample> known = store.known_sea_sample(number))
+      if (known->omega == omega) return std::move(*known);
+    FluidSample sample =
+        clock.time("seas: radiation", [&] { return solve_sample(data, fluid, influence, omega); });
+    store.sea_sample(number, sample);
+    return sample;
+  };
+  FluidMarch march =
+      begin_march({.from = band.from,
+                   .to = band.to,
+                   .first_step = kFirstStep * kReferenceLength / length,
+                   .tolerance = data.sea_grid.tolerance},
+                  earlier, store, solve,
+                  [&](const FluidSample& a, const FluidSample& b) { return difference(a, b); });
+
+  // Tell the fluid in between
+  const std::size_t first = earlier ? earlier->next : 0;
+  int kept = earlier ? earlier->solved : 0;  // samples up to the last state that was stored
   for (std::size_t i = 0; i < grid.omega.size(); ++i) {
-    log.progress(static_cast<double>(i) / static_cast<double>(grid.omega.size()),
-                 fmt::format("seas, {:.3f} rad/s", grid.omega[i]));
+    work.seas(i, first, grid.omega.size());
+    log.progress(work.share(), fmt::format("seas, {:.3f} rad/s", grid.omega[i]));
+    if (i < first) {
+      const SeaTransfer transfer = store.known_transfer(i);
+      store.sea_transfer(transfer);
+      statistics.add(transfer);
+      continue;
+    }
     const FluidSample sample = march.at(grid.omega[i]);
     clock.time("seas: response", [&] {
       const SeaTransfer transfer{grid.omega[i], states(data, plate, fluid, sample, grid.headings)};
       store.sea_transfer(transfer);
       statistics.add(transfer);
     });
+    if (march.solved() == kept) continue;
+    SeaMarch state = march.state();
+    state.next = i + 1;
+    state.largest_response = difference.largest();
+    store.sea_march(state);
+    kept = march.solved();
   }
 
   // Tell the statistics, and how they came about

@@ -20,6 +20,8 @@
 /// The stages of `analyse`, one function each.
 namespace floe {
 
+class WorkShare;
+
 /// Adds up wall time under the names of stages.
 class StageClock {
  public:
@@ -107,7 +109,8 @@ FrequencyResult solve_frequency(const Case& data, const PlateModel& plate, const
 /// throws DataError for more than 5 % unless the sea allows it.
 SeaBand prepare_seas(const Case& data, const Meshes& meshes, Log& log);
 void solve_seas(const Case& data, const SeaBand& band, const PlateModel& plate,
-                const FluidModel& fluid, StageClock& clock, Log& log, Store& store);
+                const FluidModel& fluid, StageClock& clock, WorkShare& work, Log& log,
+                Store& store);
 /// The same from transfer functions that the store holds; no solve.
 void repeat_seas(const Case& data, const SeaGridReport& grid, Store& store);
 /// The residual that a solution of the fluid's equation must have.

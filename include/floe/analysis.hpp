@@ -51,6 +51,17 @@ enum class SolverMethod { kAuto, kDense, kLattice, kPfft, kFmm };
 /// "auto", "dense", "lattice", "pfft", "fmm", as case files and run.json have it.
 const char* method_name(SolverMethod method);
 
+/// A part of a sweep: every `count`-th frequency from the `index`-th on, counted from 1. The last
+/// part takes the seas.
+struct Shard {
+  int index = 1;
+  int count = 1;
+  bool holds(std::size_t place) const {
+    return place % static_cast<std::size_t>(count) == static_cast<std::size_t>(index - 1);
+  }
+  bool holds_seas() const { return index == count; }
+};
+
 /// Everything that a case file says, resolved to SI units. See docs/conventions.md.
 struct Case {
   std::string title;
@@ -73,6 +84,7 @@ struct Case {
   SeaGrid sea_grid;
   bool allow_coarse = false;  ///< go on with fewer than 2 nodes a wavelength
   double memory_limit = 0.0;  ///< [byte]; 0: what the machine and its cgroup allow
+  Shard shard;                ///< the part of the sweep that is computed
 };
 
 /// What a frequency's solution is worth.
@@ -132,15 +144,17 @@ class Log {
   virtual void notice(const std::string& text) = 0;
   /// Something that may make the results worse.
   virtual void warning(const std::string& text) = 0;
-  /// Share of the whole run that is done, 0 … 1, and what runs now.
+  /// Share of the run's work that is done, 0 … 1, as predicted, and what runs now. What an earlier
+  /// run did is no work.
   virtual void progress(double share, const std::string& now) = 0;
 };
 
 struct Estimate;
 
-/// Where results go. Called in this order: once `begin`, once `modes`, each frequency by rising ω,
-/// once `finish`. With seas, after the frequencies: once `begin_seas`, the transfer functions by
-/// rising ω, each sea and mean heading as in the case, once `end_seas`.
+/// Where results go. Called in this order: once `begin`, once `modes`, each frequency of the shard
+/// by rising ω, once `finish`. With seas, after the frequencies: once `begin_seas`, the transfer
+/// functions by rising ω, in between samples and marches, each sea and mean heading as in the case,
+/// once `end_seas`.
 class Store {
  public:
   virtual ~Store() = default;
@@ -153,6 +167,12 @@ class Store {
   virtual std::optional<SeaGridReport> known_sea_grid() { return std::nullopt; }
   virtual SeaTransfer known_transfer(std::size_t) { return {}; }
   virtual SeaObservation known_observation() { return {}; }
+  /// Seas that were not finished: `known_transfer` up to `next`, and all samples that it names.
+  virtual std::optional<SeaMarch> known_sea_march() { return std::nullopt; }
+  virtual std::optional<FluidSample> known_sea_sample(int number) {
+    (void)number;
+    return std::nullopt;
+  }
 
   virtual void begin(const Case& data, const mesh::Q8Mesh& mesh, const Estimate& plan) = 0;
   /// `mesh` is that of the modes: the plate's own, or else the fluid's.
@@ -160,6 +180,9 @@ class Store {
   virtual void frequency(const FrequencyResult& result) = 0;
   virtual void begin_seas(const SeaObservation&, const SeaGridReport& planned) { (void)planned; }
   virtual void sea_transfer(const SeaTransfer&) {}
+  /// What was solved for the seas, numbered from 0; kept until a march that does not name it.
+  virtual void sea_sample(int number, const FluidSample& sample) { (void)number, (void)sample; }
+  virtual void sea_march(const SeaMarch&) {}
   virtual void sea(const SeaResult&) {}
   virtual void end_seas(const SeaGridReport&) {}
   virtual void finish(const std::vector<StageTime>& times) = 0;

@@ -19,6 +19,9 @@ int open_new(const std::filesystem::path& path) {
   return ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
 }
 
+// Pipes and some file systems have nothing to sync
+bool cannot_sync(int error) { return error == EINVAL || error == ENOTSUP; }
+
 }  // namespace
 
 AtomicFile::AtomicFile(std::filesystem::path path)
@@ -56,8 +59,7 @@ void AtomicFile::rollback() {
 
 void AtomicFile::commit(Sync sync) {
   flush();
-  if (sync == Sync::kYes && ::fsync(descriptor_) != 0 && errno != EINVAL && errno != ENOTSUP)
-    fail(errno);
+  if (sync == Sync::kYes && ::fsync(descriptor_) != 0 && !cannot_sync(errno)) fail(errno);
   if (::close(std::exchange(descriptor_, -1)) != 0 ||
       ::rename(temporary_.c_str(), path_.c_str()) != 0) {
     const int error = errno;
@@ -85,6 +87,19 @@ void write_file(const std::filesystem::path& path, std::string_view content) {
   AtomicFile file(path);
   file.write(content);
   file.commit();
+}
+
+void sync_to_disk(const std::filesystem::path& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool synced = descriptor >= 0 && (::fsync(descriptor) == 0 || cannot_sync(errno));
+  const int error = errno;
+  if (descriptor >= 0) ::close(descriptor);
+  if (!synced) throw FileError("cannot write " + path.string() + ": " + std::strerror(error));
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  if (::mkdir(folder.c_str(), 0777) != 0 && errno != EEXIST)
+    throw FileError("cannot write to " + folder.string() + ": " + std::strerror(errno));
 }
 
 }  // namespace floe::io

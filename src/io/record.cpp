@@ -18,7 +18,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "records are written little-endian");
 
 constexpr std::string_view kMagic = "floe-rec";
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 constexpr std::uint32_t kByteOrder = 0x01020304;
 constexpr std::size_t kHeader = 8 + 4 + 4 + 8 + 16;
 constexpr std::uintmax_t kLargestRecord = std::uintmax_t{1} << 40;
@@ -49,7 +49,7 @@ class Reader {
   std::size_t left() const { return rest_.size(); }
   [[noreturn]] void fail(const std::string& how) const {
     throw StoreError("record " + path_.string() + " " + how +
-                     " (run the case again; --fresh replaces the results)");
+                     " (floe run --resume computes it again)");
   }
 
  private:
@@ -116,6 +116,25 @@ double Record::number(const std::string& name) const {
 
 std::string Record::text(const std::string& name) const { return entry(name, Kind::kText).bytes; }
 
+std::string Record::not_finite() const {
+  for (const auto& [name, entry] : entries_) {
+    if (entry.kind == Kind::kText) continue;
+    const VecXd numbers =
+        matrix_of<VecXd>(entry.bytes, static_cast<Index>(entry.bytes.size() / sizeof(double)), 1);
+    if (!numbers.allFinite()) return name;
+  }
+  return "";
+}
+
+bool Record::same_as(const Record& other, const std::vector<std::string>& ignored) const {
+  Record a = *this, b = other;
+  for (const std::string& name : ignored) {
+    a.entries_.erase(name);
+    b.entries_.erase(name);
+  }
+  return a.entries_ == b.entries_;
+}
+
 std::string Record::payload() const {
   std::string bytes;
   for (const auto& [name, entry] : entries_) {
@@ -141,7 +160,7 @@ void Record::write(const std::filesystem::path& path) const {
   AtomicFile file(path);
   file.write(header);
   file.write(bytes);
-  file.commit(Sync::kNo);  // a sync takes longer than small cases do
+  file.commit(Sync::kNo);
 }
 
 Record Record::parse(std::string_view payload, const std::filesystem::path& path) {
@@ -177,9 +196,10 @@ Record Record::read(const std::filesystem::path& path) {
   if (content.size() < kHeader || reader.take(kMagic.size()) != kMagic)
     reader.fail("is not one of floe");
   const auto version = reader.number<std::uint32_t>();
-  if (version != kVersion)
-    reader.fail("has the format version " + std::to_string(version) + ", this floe reads " +
-                std::to_string(kVersion));
+  FLOE_VALIDATE_AS(io::RecordVersionError, version == kVersion,
+                   "record " << path.string() << " has the format version " << version
+                             << ", this floe reads " << kVersion
+                             << " (give --fresh to replace the results)");
   if (reader.number<std::uint32_t>() != kByteOrder) reader.fail("comes from another machine");
   const auto length = reader.number<std::uint64_t>();
   const auto low = reader.number<std::uint64_t>(), high = reader.number<std::uint64_t>();

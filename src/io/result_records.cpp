@@ -79,8 +79,8 @@ Record record_of(const FrequencyResult& result) {
   record.put("method", report.method);
   record.put("report", VecXd{{static_cast<double>(report.iterations),
                               static_cast<double>(report.applications), report.true_residual,
-                              report.kernel_error, report.reciprocity_error, report.energy_error,
-                              report.seconds}});
+                              report.kernel_error, report.reciprocity_error, report.energy_error}});
+  record.put(kSeconds, report.seconds);
   return record;
 }
 
@@ -113,7 +113,7 @@ FrequencyResult frequency_from(const Record& record) {
                    .kernel_error = report.at(3),
                    .reciprocity_error = report.at(4),
                    .energy_error = report.at(5),
-                   .seconds = report.at(6)};
+                   .seconds = record.number(kSeconds)};
   return result;
 }
 
@@ -164,6 +164,40 @@ Record record_of(const SeaTransfer& transfer) {
 
 SeaTransfer transfer_from(const Record& record) {
   return {record.number("omega"), record.complex("state")};
+}
+
+Record record_of(const FluidSample& sample) {
+  Record record;
+  record.put("omega", sample.omega);
+  record.put("pressure", sample.pressure);
+  record.put("fluid_matrix", sample.fluid_matrix);
+  return record;
+}
+
+FluidSample sample_from(const Record& record) {
+  return {record.number("omega"), record.complex("pressure"), record.complex("fluid_matrix")};
+}
+
+Record record_of(const SeaMarch& march) {
+  Record record;
+  record.put("next", static_cast<double>(march.next));
+  record.put("interval", static_cast<double>(march.interval));
+  record.put("step", march.step);
+  record.put("solved", static_cast<double>(march.solved));
+  record.put("largest_error", march.largest_error);
+  record.put("samples", as_vector(march.samples));
+  record.put("largest_response", as_vector(march.largest_response));
+  return record;
+}
+
+SeaMarch march_from(const Record& record) {
+  return {.next = static_cast<std::size_t>(record.number("next")),
+          .interval = static_cast<Index>(record.number("interval")),
+          .step = record.number("step"),
+          .solved = static_cast<int>(record.number("solved")),
+          .largest_error = record.number("largest_error"),
+          .samples = as_list<int>(record.real("samples")),
+          .largest_response = as_list<double>(record.real("largest_response"))};
 }
 
 Record record_of(const SeaResult& result) {

@@ -1,12 +1,9 @@
 #include "io/run_json.hpp"
 
-#include "io/case_json.hpp"
 #include "io/regular_file.hpp"
 
 #include <floe/numeric/error.hpp>
 #include <floe/numeric/memory.hpp>
-
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <numbers>
@@ -65,7 +62,7 @@ RunAccount::Sea summary_of(const SeaResult& result) {
           result.grid_error};
 }
 
-std::string run_json(const Case& data, const RunAccount& account) {
+std::string run_json(const Json& options, const RunAccount& account) {
   Json frequencies = Json::array(), stages = Json::array();
   for (std::size_t i = 0; i < account.frequencies.size(); ++i)
     frequencies.push_back(frequency_json(account.frequencies[i], account.wavenumber[i]));
@@ -79,7 +76,7 @@ std::string run_json(const Case& data, const RunAccount& account) {
       {"conventions",
        "SI units, e^{-iωt}, z up, per metre of wave amplitude, phases relative to "
        "the origin, heading: direction the waves travel to, from +x towards +y"},
-      {"options", case_json(data)},
+      {"options", options},
       {"plan", plan_json(account)},
       {"mesh",
        {{"nodes", account.nodes},
@@ -97,7 +94,7 @@ std::string run_json(const Case& data, const RunAccount& account) {
       {"seas", sea_results_json(account)},
       {"warnings", account.warnings},
       {"stages", stages},
-      {"peak_memory", numeric::peak_memory()},
+      {"peak_memory", account.peak_memory > 0.0 ? account.peak_memory : numeric::peak_memory()},
       {"files", account.files}};
   return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

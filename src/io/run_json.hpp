@@ -3,6 +3,8 @@
 #include <floe/analysis.hpp>
 #include <floe/estimate.hpp>
 
+#include <nlohmann/json.hpp>
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -31,14 +33,16 @@ struct RunAccount {
   };
   std::vector<Sea> seas;
   std::vector<StageTime> stages;
+  double peak_memory = 0.0;        ///< [byte]; 0: of this process
   std::vector<std::string> files;  ///< all files of the run, relative
 };
 
 /// What the account tells of one sea and mean heading.
 RunAccount::Sea summary_of(const SeaResult& result);
 
-/// The text of `run.json`. Numbers that are not finite become null, an infinite depth "inf".
-std::string run_json(const Case& data, const RunAccount& account);
+/// The text of `run.json`; `options` is the case as case_json has it. Numbers that are not finite
+/// become null.
+std::string run_json(const nlohmann::ordered_json& options, const RunAccount& account);
 
 /// The files that a `run.json` lists as made by its run.
 /// Throws StoreError when it is not a readable account of floe.

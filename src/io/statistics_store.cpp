@@ -1,4 +1,5 @@
 #include "io/atomic_file.hpp"
+#include "io/case_json.hpp"
 #include "io/output_directory.hpp"
 #include "io/run_json.hpp"
 #include "io/sea_tables.hpp"
@@ -32,7 +33,7 @@ std::vector<std::string> store_statistics(const std::filesystem::path& directory
   for (const std::string& warning : warnings) remarks.push_back("warning: " + warning);
   OutputDirectory output(directory, existing);
   output.clear_earlier_run();
-  write_file(output.path() / "run.json", run_json(data, account));
+  write_file(output.path() / "run.json", run_json(case_json(data), account));
   write_sea_tables(output.path(), remarks, data, results);
   write_statistics_vtu(output.path() / "statistics.vtu", fluid_mesh, results);
   return account.files;

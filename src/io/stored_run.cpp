@@ -1,4 +1,5 @@
 #include "io/case_json.hpp"
+#include "io/manifest.hpp"
 #include "io/record_names.hpp"
 #include "io/regular_file.hpp"
 #include "io/result_records.hpp"
@@ -28,15 +29,20 @@ Json read_json(const std::filesystem::path& path) {
 }  // namespace
 
 StoredRun::StoredRun(std::filesystem::path directory) : directory_(std::move(directory)) {
-  const Json account = read_json(directory_ / "run.json");
-  const Json manifest = read_json(record(kManifest));
+  const bool lost = std::filesystem::exists(record(kManifest)) &&
+                    !std::filesystem::exists(directory_ / "run.json");
+  const Json account = lost ? Json::object() : read_json(directory_ / "run.json");
+  const Json manifest = read_manifest(directory_);
   manifest_ = manifest.dump();
-  data_ = case_from_json(manifest.value("options", Json::object()));
+  if (!lost) account_ = account.dump();
+  data_ = case_from_json(manifest.at("options"));
   try {
     text_ = manifest.at("case_text");
-    status_ = account.at("status");
-    warnings_ = account.at("warnings").get<std::vector<std::string>>();
-    for (const Json& stage : account.at("stages"))
+    if (manifest.contains("shard"))
+      data_.shard = {manifest.at("shard").at("index"), manifest.at("shard").at("count")};
+    status_ = lost ? "not known" : account.at("status").get<std::string>();
+    warnings_ = account.value("warnings", std::vector<std::string>());
+    for (const Json& stage : account.value("stages", Json::array()))
       stages_.push_back({stage.at("stage"), stage.at("seconds"), stage.at("peak_memory")});
     for (const Json& sea : manifest.at("options").at("sea")) {
       sea_names_.push_back(sea.at("name"));
@@ -45,6 +51,24 @@ StoredRun::StoredRun(std::filesystem::path directory) : directory_(std::move(dir
   } catch (const Json::exception& error) {
     throw StoreError("the account of " + directory_.string() + " is not complete: " + error.what());
   }
+}
+
+int StoredRun::threads() const {
+  const Json account = account_.empty() ? Json::object() : Json::parse(account_);
+  return account.contains("plan") ? account.at("plan").value("threads", 1) : 1;
+}
+
+bool StoredRun::wants_seas() const {
+  const bool range = data_.sea_grid.from && data_.sea_grid.to;
+  return data_.shard.holds_seas() && (range || !sea_names_.empty());
+}
+
+Estimate StoredRun::plan() const {
+  Case data = data_;
+  data.seas.resize(sea_names_.size());  // only how many there are matters
+  const std::optional<mesh::Q8Mesh> own =
+      data.plate_mesh.empty() ? std::nullopt : std::optional(mode_mesh());
+  return estimate(data, fluid_mesh(), own ? &*own : nullptr, threads());
 }
 
 std::filesystem::path StoredRun::record(const std::string& name) const { return directory_ / name; }
@@ -60,12 +84,22 @@ plate::DryModes StoredRun::modes() const { return modes_from(Record::read(record
 
 std::vector<FrequencyResult> StoredRun::frequencies() const {
   std::vector<FrequencyResult> results;
-  for (std::size_t i = 0; i < data_.omega.size(); ++i) {
-    const std::filesystem::path path = record(numbered_record("frequency", i));
-    if (!std::filesystem::exists(path)) break;
-    results.push_back(frequency_from(Record::read(path)));
-  }
+  for (std::size_t i = 0; i < data_.omega.size(); ++i)
+    if (has_frequency(i)) results.push_back(frequency(i));
   return results;
+}
+
+bool StoredRun::has_frequency(std::size_t place) const {
+  return std::filesystem::exists(record(numbered_record("frequency", place)));
+}
+
+FrequencyResult StoredRun::frequency(std::size_t place) const {
+  return frequency_from(Record::read(record(numbered_record("frequency", place))));
+}
+
+std::optional<SeaGridReport> StoredRun::finished_seas() const {
+  if (!std::filesystem::exists(record(kSeaGrid))) return std::nullopt;
+  return finished_grid_from(Record::read(record(kSeaGrid)));
 }
 
 std::vector<SeaResult> StoredRun::seas() const {

@@ -1,6 +1,7 @@
 #include "program/commands.hpp"
 
 #include <floe/bem/element_lattice.hpp>
+#include <floe/disk_estimate.hpp>
 #include <floe/estimate.hpp>
 #include <floe/numeric/memory.hpp>
 #include <floe/preflight.hpp>
@@ -59,7 +60,7 @@ std::vector<Estimate> estimate_others(const Case& data, const mesh::Q8Mesh& mesh
 }
 
 void tell_needs(const Estimate& needed, const std::vector<Estimate>& others, double budget,
-                Account& account) {
+                double disk, Account& account) {
   account.fact("method", needed.method);
   for (const StageEstimate& stage : needed.stages)
     account.fact("", fmt::format("{:<12} {:>8}  about {}", stage.stage, format_bytes(stage.memory),
@@ -69,6 +70,7 @@ void tell_needs(const Estimate& needed, const std::vector<Estimate>& others, dou
                                  format_bytes(other.memory), format_duration(other.seconds)));
   account.fact("memory",
                fmt::format("{} of {}", format_bytes(needed.memory), format_bytes(budget)));
+  account.fact("disk", format_bytes(disk));
   account.fact("time", fmt::format("about {} on {}", format_duration(needed.seconds),
                                    counted(omp_get_max_threads(), "thread")));
 }
@@ -92,7 +94,8 @@ void check_case(const RunOptions& options) {
   tell_mesh("mesh", fluid, found.quality, account);
   if (plate) tell_mesh("plate mesh", *plate, mesh::measure_quality(plate->mesh), account);
   tell_resolution(found, account);
-  tell_needs(needed, estimate_others(data, fluid.mesh, own, needed), budget, account);
+  tell_needs(needed, estimate_others(data, fluid.mesh, own, needed), budget,
+             estimate_disk(data, fluid.mesh), account);
   for (const std::string& warning : found.warnings) account.warning(warning);
   account.show_warnings();
 

@@ -3,6 +3,7 @@
 #include "program/commands.hpp"
 #include "program/exit_code.hpp"
 #include "program/parse_errors.hpp"
+#include "program/parse_values.hpp"
 #include "program/signals.hpp"
 
 #include <floe/io/case_file.hpp>
@@ -11,9 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
-#include <cmath>
 #include <functional>
 #include <map>
 #include <sstream>
@@ -28,6 +27,8 @@ Examples:
   floe check cases/table1.toml            what a run would need; solves nothing
   floe run cases/table1.toml              results go to table1.out/
   floe run plate.toml -o out --threads 8  another folder, eight threads
+  floe run plate.toml --resume            go on after a stop, a kill or a power cut
+  floe status plate.out                   how far it is
   floe report table1.out                  one page to look at: table1.out/report.html
   floe stats table1_seas.out --sea storm.toml   other seas, without solving again
   floe mesh rectangle --length 300 --width 60 --nx 50 --ny 10 -o plate.msh
@@ -36,52 +37,15 @@ Exit codes: 0 done, 2 command line, 3 case file, 4 mesh, 5 sea states, 6 memory,
   9 results there already, 10 folder in use, 75 stopped by --max-time,
   130/143 by a signal, 1 a fault of floe.)";
 
-// "16G" in bytes; K, M, G, T are powers of 1024
-double parse_bytes(const std::string& text) {
-  const std::map<char, double> factors = {{'K', 1024.0},
-                                          {'M', std::pow(1024.0, 2)},
-                                          {'G', std::pow(1024.0, 3)},
-                                          {'T', std::pow(1024.0, 4)}};
-  std::string digits = text;
-  double factor = 1.0;
-  if (!digits.empty() && factors.contains(static_cast<char>(std::toupper(digits.back())))) {
-    factor = factors.at(static_cast<char>(std::toupper(digits.back())));
-    digits.pop_back();
-  }
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value) ||
-      value <= 0.0)
-    throw UsageError(fmt::format(
-        "invalid --memory = {} (must be a positive number of bytes, or like 500M or 16G)", text));
-  return value * factor;
-}
-
-// "2h" in seconds; s, m, h
-double parse_time(const std::string& text) {
-  const std::map<char, double> factors = {{'s', 1.0}, {'m', 60.0}, {'h', 3600.0}};
-  std::string digits = text;
-  double factor = 1.0;
-  if (!digits.empty() && factors.contains(digits.back())) {
-    factor = factors.at(digits.back());
-    digits.pop_back();
-  }
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value) ||
-      value <= 0.0)
-    throw UsageError(fmt::format(
-        "invalid --max-time = {} (must be a positive number of seconds, or like 90m or 12h)",
-        text));
-  return value * factor;
-}
-
 // What the parser fills in
 struct Choice {
   RunOptions run;
   RectangleMeshOptions rectangle;
   StatsOptions stats;
   ReportOptions report;
+  StatusOptions status;
+  ExportOptions export_;
+  MergeOptions merge;
   std::string memory, max_time;
   std::function<void()> action;  // what the chosen command does
 };
@@ -134,6 +98,11 @@ void add_run(CLI::App& app, Choice& choice) {
       ->type_name("TIME");
   command
       .add_option_function<std::string>(
+          "--shard", [&choice](const std::string& text) { choice.run.shard = parse_shard(text); },
+          "run part I of N: every N-th frequency; floe merge puts the parts together")
+      ->type_name("I/N");
+  command
+      .add_option_function<std::string>(
           "--progress",
           [&choice, styles](const std::string& name) { choice.run.progress = styles.at(name); },
           "auto, plain, json or none")
@@ -177,6 +146,36 @@ void add_report(CLI::App& app, Choice& choice) {
   command.callback([&choice] { choice.action = [&choice] { make_report(choice.report); }; });
 }
 
+void add_status(CLI::App& app, Choice& choice) {
+  CLI::App& command = *app.add_subcommand(
+      "status", "tell how far a run is and what is left; may be asked while it works");
+  command.add_option("directory", choice.status.directory, "results of a run")
+      ->required()
+      ->type_name("DIR");
+  command.add_flag("--json", choice.status.json, "as an object for programs");
+  command.callback([&choice] { choice.action = [&choice] { tell_status(choice.status); }; });
+}
+
+void add_export(CLI::App& app, Choice& choice) {
+  CLI::App& command = *app.add_subcommand(
+      "export", "make all tables and fields of a run anew from its records; solve nothing");
+  command.add_option("directory", choice.export_.directory, "results of a run")
+      ->required()
+      ->type_name("DIR");
+  command.callback([&choice] { choice.action = [&choice] { export_results(choice.export_); }; });
+}
+
+void add_merge(CLI::App& app, Choice& choice) {
+  CLI::App& command =
+      *app.add_subcommand("merge", "put the parts of a sweep that ran with --shard together");
+  command.add_option("directories", choice.merge.parts, "results of the parts")
+      ->required()
+      ->type_name("DIR");
+  command.add_option("-o", choice.merge.output, "result folder")->required()->type_name("DIR");
+  command.add_flag("--fresh", choice.merge.fresh, "replace the results that are there");
+  command.callback([&choice] { choice.action = [&choice] { merge_results(choice.merge); }; });
+}
+
 void add_mesh(CLI::App& app, Choice& choice) {
   CLI::App& command = *app.add_subcommand("mesh", "make a mesh");
   command.require_subcommand(1);
@@ -197,14 +196,16 @@ void add_mesh(CLI::App& app, Choice& choice) {
 
 // A first word that is no command gets the nearest one named
 void refuse_unknown_command(const std::string& command) {
-  const std::vector<std::string> known = {"run", "check", "stats", "report", "mesh"};
+  const std::vector<std::string> known = {"run",    "check",  "status", "stats",
+                                          "report", "export", "merge",  "mesh"};
   if (command.empty() || command[0] == '-' ||
       std::find(known.begin(), known.end(), command) != known.end())
     return;
   const std::string nearest = io::nearest_name(command, known);
   throw UsageError(fmt::format(
       "unknown command {} ({})", command,
-      nearest.empty() ? "known are run, check, stats, report, mesh; floe --help tells more"
+      nearest.empty() ? "known are run, check, status, stats, report, export, merge, mesh; "
+                        "floe --help tells more"
                       : "did you mean " + nearest + "?"));
 }
 
@@ -215,17 +216,12 @@ void refuse_later_words(int argc, char** argv) {
         fmt::format("{} is not available yet in this version ({})", word, FLOE_VERSION));
   };
   const std::string command = argc > 1 ? argv[1] : "";
-  for (const char* later : {"status", "export", "merge", "converge", "init"})
+  for (const char* later : {"converge", "init"})
     if (command == later) refuse("floe " + command);
   refuse_unknown_command(command);
   const std::string shape = command == "mesh" && argc > 2 ? argv[2] : "";
   for (const char* later : {"disc", "ring", "lshape", "modules"})
     if (shape == later) refuse("floe mesh " + shape);
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
-    if (word == "--") return;
-    if (word == "--shard") refuse(word);
-  }
 }
 
 int parse_and_run(int argc, char** argv) {
@@ -238,6 +234,9 @@ int parse_and_run(int argc, char** argv) {
   add_check(app, choice);
   add_stats(app, choice);
   add_report(app, choice);
+  add_status(app, choice);
+  add_export(app, choice);
+  add_merge(app, choice);
   add_mesh(app, choice);
   app.footer(kExamples);
   try {

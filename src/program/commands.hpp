@@ -17,6 +17,7 @@ struct RunOptions {
   bool fresh = false;
   bool resume = false;  ///< go on with an earlier run of the same case
   bool allow_coarse = false;
+  Shard shard;  ///< the part of the sweep to run
   ProgressStyle progress = ProgressStyle::kAuto;
 };
 
@@ -43,6 +44,30 @@ struct ReportOptions {
 
 /// Writes the report of a run, one HTML page.
 void make_report(const ReportOptions& options);
+
+struct StatusOptions {
+  std::filesystem::path directory;  ///< of a run
+  bool json = false;
+};
+
+/// Tells how far a run is, without disturbing it.
+void tell_status(const StatusOptions& options);
+
+struct ExportOptions {
+  std::filesystem::path directory;  ///< of a run
+};
+
+/// Makes all products of a run anew from its records.
+void export_results(const ExportOptions& options);
+
+struct MergeOptions {
+  std::vector<std::filesystem::path> parts;  ///< directories of runs with --shard
+  std::filesystem::path output;
+  bool fresh = false;
+};
+
+/// Puts the parts of a sweep together. Throws ConvergenceError where some are missing.
+void merge_results(const MergeOptions& options);
 
 struct RectangleMeshOptions {
   mesh::RectangleOptions rectangle;

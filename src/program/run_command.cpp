@@ -43,6 +43,10 @@ class ToldStore final : public Store {
   std::optional<SeaGridReport> known_sea_grid() override { return store_.known_sea_grid(); }
   SeaTransfer known_transfer(std::size_t place) override { return store_.known_transfer(place); }
   SeaObservation known_observation() override { return store_.known_observation(); }
+  std::optional<SeaMarch> known_sea_march() override { return store_.known_sea_march(); }
+  std::optional<FluidSample> known_sea_sample(int number) override {
+    return store_.known_sea_sample(number);
+  }
 
   void begin(const Case& data, const mesh::Q8Mesh& mesh, const Estimate& plan) override {
     account_.fact("mesh", fmt::format("{}, {}, {}, {:.6g} m²", counted(mesh.node_count(), "node"),
@@ -80,6 +84,13 @@ class ToldStore final : public Store {
   void begin_seas(const SeaObservation& observation, const SeaGridReport& planned) override {
     store_.begin_seas(observation, planned);
   }
+
+  void sea_sample(int number, const FluidSample& sample) override {
+    store_.sea_sample(number, sample);
+    stop_if_asked();
+  }
+
+  void sea_march(const SeaMarch& march) override { store_.sea_march(march); }
 
   void sea_transfer(const SeaTransfer& transfer) override {
     store_.sea_transfer(transfer);
@@ -148,6 +159,7 @@ Case read_case_for(const RunOptions& options, Account& account) {
   for (const std::string& warning : file.warnings) account.warning(warning);
   file.data.allow_coarse = options.allow_coarse;
   file.data.memory_limit = options.memory;
+  file.data.shard = options.shard;
   return std::move(file.data);
 }
 
@@ -161,6 +173,10 @@ void run_case(const RunOptions& options) {
   io::DirectoryStore store(output_of(options), options.fresh    ? io::Existing::kReplace
                                                : options.resume ? io::Existing::kResume
                                                                 : io::Existing::kRefuse);
+
+  if (!store.locks())
+    account.warning(store.directory().string() +
+                    ": the file system has no locks, nothing keeps a second run out");
 
   // Compute; whatever ends the run early, finished frequencies stay
   ToldStore told(store, account);

@@ -1,16 +1,17 @@
 #include "floe_program.hpp"
+#include "stored_products.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <map>
 #include <random>
 
 // Runs that are stopped in any way and gone on with.
 namespace floe {
 namespace {
 
+using test::expect_same_products;
 using test::kCaseText;
 using test::ProgramResult;
 using test::run_floe;
@@ -39,28 +40,6 @@ quantities = ["deflection", "bending_moment_x"]
 std::string sweep(int count) {
   return with("[0.4, 0.5]", "{ from = 0.2, to = 0.6, count = " + std::to_string(count) + " }") +
          kRest;
-}
-
-// All products but run.json, which tells times
-std::map<std::string, std::string> products_in(const TestFolder& folder, const std::string& name) {
-  std::map<std::string, std::string> products;
-  const auto root = folder.path() / name;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(root)) {
-    const std::string file = std::filesystem::relative(entry.path(), root).string();
-    const bool record = file.starts_with("records/");
-    if (entry.is_regular_file() && file != "run.json" && !record)
-      products[file] = folder.read(name + "/" + file);
-  }
-  return products;
-}
-
-void expect_same_products(const TestFolder& folder, const std::string& a, const std::string& b) {
-  const auto expected = products_in(folder, a), actual = products_in(folder, b);
-  ASSERT_EQ(expected.size(), actual.size());
-  for (const auto& [name, content] : expected) {
-    ASSERT_TRUE(actual.contains(name)) << name;
-    EXPECT_EQ(actual.at(name), content) << name;
-  }
 }
 
 // Seconds that the stages of solving took
