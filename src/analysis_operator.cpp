@@ -26,12 +26,11 @@ FluidOperators prepare_operators(const Case& data, const mesh::Q8Mesh& mesh, dou
     plans.lattice = std::make_shared<const bem::LatticePlan>(mesh);
   if (plans.method == SolverMethod::kPfft || plans.method == SolverMethod::kFmm)
     plans.sums = std::make_shared<const bem::FastPressurePlan>(
-        mesh,
-        bem::FastOptions{
-            .engine = engine_of(plans.method),
-            .tolerance = std::clamp(data.tolerance, kLeastSumTolerance, kLargestSumTolerance),
-            .max_wavenumber = wave::wavenumber(highest, data.water),
-            .memory_budget = numeric::memory_budget(data.memory_limit, numeric::memory_limits())});
+        mesh, bem::FastOptions{
+                  .engine = engine_of(plans.method),
+                  .tolerance = std::clamp(data.tolerance, kLeastSumTolerance, kLargestSumTolerance),
+                  .max_wavenumber = wave::wavenumber(highest, data.water),
+                  .memory_budget = plan_budget(data)});
   return plans;
 }
 

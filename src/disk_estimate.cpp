@@ -1,7 +1,7 @@
 #include <floe/disk_estimate.hpp>
 #include <floe/estimate.hpp>
 #include <floe/numeric/error.hpp>
-#include <floe/response/quantity.hpp>
+#include <floe/response/modal_basis.hpp>
 
 #include <algorithm>
 

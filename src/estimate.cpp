@@ -133,12 +133,17 @@ SolverMethod resolve_method(const Case& data, const mesh::Q8Mesh& mesh) {
   return bem::find_element_lattice(mesh) ? SolverMethod::kLattice : SolverMethod::kPfft;
 }
 
+double plan_budget(const Case& data) {
+  if (data.plan_memory > 0.0) return data.plan_memory;
+  return numeric::memory_budget(data.memory_limit, numeric::memory_limits());
+}
+
 KrylovPlan plan_krylov(const Case& data, const mesh::Q8Mesh& mesh) {
   // Some 20 directions a column, and scratch beside them. Where the budget is small, single
   // precision first: blocks of fewer columns need twice the applications
   const double columns = static_cast<double>(data.mode_count);
   const double wanted = 16.0 * static_cast<double>(mesh.node_count()) * columns * 32.0;
-  const double budget = 0.5 * numeric::memory_budget(data.memory_limit, numeric::memory_limits());
+  const double budget = 0.5 * plan_budget(data);
   const bool in_float = wanted > budget;
   return {.memory = std::min(in_float ? 0.5 * wanted : wanted, budget), .in_float = in_float};
 }

@@ -84,6 +84,7 @@ struct Case {
   SeaGrid sea_grid;
   bool allow_coarse = false;  ///< go on with fewer than 2 nodes a wavelength
   double memory_limit = 0.0;  ///< [byte]; 0: what the machine and its cgroup allow
+  double plan_memory = 0.0;   ///< [byte] that methods are planned for; 0: as memory_limit says
   Shard shard;                ///< the part of the sweep that is computed
 };
 

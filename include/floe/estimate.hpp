@@ -29,6 +29,10 @@ struct Estimate {
 /// FMM.
 SolverMethod resolve_method(const Case& data, const mesh::Q8Mesh& mesh);
 
+/// The memory that methods are planned for [byte]. A run keeps it, so that going on with it later,
+/// with other memory free, gives the same bits; what is free only refuses.
+double plan_budget(const Case& data);
+
 /// The Krylov space of an iterative solution.
 struct KrylovPlan {
   double memory = 0.0;    ///< what all modes need together, at most half of the budget [byte]

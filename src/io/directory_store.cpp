@@ -33,6 +33,7 @@ class DirectoryStore::Impl {
   void finish(const std::vector<StageTime>& times);
   void stop(const std::string& status);
 
+  double earlier_plan_memory() const;
   bool knows_transfers(std::size_t count);
   std::optional<SeaMarch> known_march();
 
@@ -168,6 +169,11 @@ void DirectoryStore::Impl::end_seas(const SeaGridReport& grid) {
   products->end_seas(grid);
 }
 
+double DirectoryStore::Impl::earlier_plan_memory() const {
+  if (!resume_ || !std::filesystem::exists(directory.path() / kManifest)) return 0.0;
+  return read_manifest(directory.path()).value("plan_memory", 0.0);
+}
+
 bool DirectoryStore::Impl::knows_transfers(std::size_t count) {
   bool all = records->known(kObservation, observation_from).has_value();
   for (std::size_t i = 0; all && i < count; ++i)
@@ -241,6 +247,8 @@ std::optional<FluidSample> DirectoryStore::known_sea_sample(int number) {
   return impl_->records->known(numbered_record("sample", static_cast<std::size_t>(number)),
                                sample_from);
 }
+
+double DirectoryStore::earlier_plan_memory() const { return impl_->earlier_plan_memory(); }
 
 bool DirectoryStore::locks() const { return impl_->directory.locks(); }
 

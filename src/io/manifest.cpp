@@ -42,7 +42,7 @@ Json input_hashes(const Case& data) {
 
 // What may change between a run and its resumption
 Json without_harmless(Json manifest) {
-  for (const char* key : {"program", "version", "case_text"}) manifest.erase(key);
+  for (const char* key : {"program", "version", "plan_memory", "case_text"}) manifest.erase(key);
   if (manifest.contains("options") && manifest["options"].is_object())
     for (const char* key : {"title", "allow_coarse"}) manifest["options"].erase(key);
   return manifest;
@@ -57,6 +57,7 @@ Json make_manifest(const Case& data, const std::string& mesh_hash) {
                    {"options", case_json(data)}};
   if (data.shard.count > 1)
     manifest["shard"] = {{"index", data.shard.index}, {"count", data.shard.count}};
+  manifest["plan_memory"] = data.plan_memory;
   manifest["case_text"] = data.text;
   return manifest;
 }

@@ -134,6 +134,13 @@ std::filesystem::path output_of(const RunOptions& options) {
   return options.case_file.stem().string() + ".out";
 }
 
+// As the earlier run planned, or what was asked for, or else what there is now
+double plan_memory_for(const RunOptions& options, const io::DirectoryStore& store) {
+  if (store.earlier_plan_memory() > 0.0) return store.earlier_plan_memory();
+  return options.memory > 0.0 ? options.memory
+                              : numeric::memory_budget(0.0, numeric::memory_limits());
+}
+
 }  // namespace
 
 std::string counted(Index count, const std::string& what) {
@@ -168,11 +175,12 @@ void run_case(const RunOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   if (options.max_time > 0.0) limit_time(options.max_time);
   Account account(options.progress);
-  const Case data = read_case_for(options, account);
+  Case data = read_case_for(options, account);
   use_threads(options.threads, account);
   io::DirectoryStore store(output_of(options), options.fresh    ? io::Existing::kReplace
                                                : options.resume ? io::Existing::kResume
                                                                 : io::Existing::kRefuse);
+  data.plan_memory = plan_memory_for(options, store);
 
   if (!store.locks())
     account.warning(store.directory().string() +
@@ -194,7 +202,7 @@ void run_case(const RunOptions& options) {
 
   // Tell where everything lies
   for (const std::string& damaged : store.damaged_records())
-    account.warning(damaged + " (computed again)");
+    account.warning(damaged + ", computed again");
   account.show_warnings();
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   account.gap();

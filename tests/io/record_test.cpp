@@ -73,9 +73,9 @@ TEST(Record, SaysWhatIsWrong) {
               HasSubstr("is not one of floe"));
   small_record().write(folder.path() / "a.rec");
   std::string newer = folder.read("a.rec");
-  newer[8] = 2;
+  newer[8] = 3;
   EXPECT_THAT(complaint(folder.write("b.rec", newer)),
-              HasSubstr("has the format version 2, this floe reads 1"));
+              HasSubstr("has the format version 3, this floe reads 2"));
 }
 
 }  // namespace

@@ -87,7 +87,9 @@ TEST(Progress, DrawsABarOnATerminalOnly) {
   // What is drawn over itself stays on one line
   std::istringstream lines(narrow.output);
   for (std::string piece; std::getline(lines, piece, '\r');)
-    if (const auto end = piece.find("\x1b[K"); end != std::string::npos) EXPECT_LE(end, 19u);
+    if (const auto end = piece.find("\x1b[K"); end != std::string::npos) {
+      EXPECT_LE(end, 19u);
+    }
   const ProgramResult pipe = run_floe(folder, "run case.toml --fresh", "TERM=xterm");
   EXPECT_THAT(pipe.output, Not(HasSubstr("\r")));
 }
@@ -123,8 +125,9 @@ TEST(Progress, OfAResumedRunCountsOnlyWhatIsLeft) {
   std::istringstream lines(result.output);
   for (std::string line; std::getline(lines, line);) {
     const auto event = nlohmann::json::parse(line);
-    if (event.at("event") == "progress" && event.at("now") != "done")
+    if (event.at("event") == "progress" && event.at("now") != "done") {
       EXPECT_EQ(event.at("share"), 0.0) << line;
+    }
   }
 }
 

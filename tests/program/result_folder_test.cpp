@@ -176,9 +176,9 @@ TEST(ResultFolder, NoticesAMeshFileThatWasEdited) {
         .code;
   };
   ASSERT_EQ(make_plate(8), 0);
-  folder.write("case.toml", with("density = 256.25",
-                                 "density = 256.25\nmesh = { file = \"plate.msh\" }") +
-                                kRest);
+  folder.write(
+      "case.toml",
+      with("density = 256.25", "density = 256.25\nmesh = { file = \"plate.msh\" }") + kRest);
   ASSERT_EQ(run_floe(folder, "run case.toml --allow-coarse -o out").code, 0);
   ASSERT_EQ(make_plate(10), 0);
   const ProgramResult result = run_floe(folder, kResume + "out");

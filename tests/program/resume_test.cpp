@@ -54,17 +54,17 @@ double solving_seconds(const TestFolder& folder, const std::string& name) {
 
 TEST(Resume, AfterAKillAtAnyInstantGivesTheSameBytes) {
   const TestFolder folder;
-  folder.write("case.toml", sweep(60));
+  folder.write("case.toml", sweep(20));
   ASSERT_EQ(run_floe(folder, "run case.toml --allow-coarse -o whole").code, 0);
   std::mt19937 random(11);
   std::uniform_int_distribution<int> milliseconds(20, 500);
   int killed = 0;
-  for (int trial = 0; trial < 5; ++trial) {
+  for (int trial = 0; killed < 20 && trial < 60; ++trial) {
     std::filesystem::remove_all(folder.path() / "parts");
     for (int attempt = 0; attempt < 100; ++attempt) {
       const std::string limit = "0." + std::to_string(1000 + milliseconds(random)).substr(1);
       const ProgramResult result =
-          attempt < 5 ? run_floe(folder, "run case.toml --allow-coarse -o parts --resume",
+          attempt < 2 ? run_floe(folder, "run case.toml --allow-coarse -o parts --resume",
                                  "timeout -s KILL " + limit)
                       : run_floe(folder, "run case.toml --allow-coarse -o parts --resume");
       if (result.code == 0) break;
@@ -73,7 +73,7 @@ TEST(Resume, AfterAKillAtAnyInstantGivesTheSameBytes) {
     }
     expect_same_products(folder, "whole", "parts");
   }
-  EXPECT_GT(killed, 5);
+  EXPECT_GE(killed, 20);
 }
 
 TEST(Resume, GoesOnAfterMaxTime) {
@@ -118,7 +118,9 @@ TEST(Resume, ComputesADamagedRecordAgainAndSaysSo) {
     folder.write(path, record);
     const ProgramResult result = run_floe(folder, "run case.toml --allow-coarse -o again --resume");
     ASSERT_EQ(result.code, 0) << result.error;
-    EXPECT_THAT(result.output, HasSubstr(std::string(name) + ".rec is damaged (computed again)"));
+    EXPECT_THAT(result.output,
+                HasSubstr(std::string(name) + ".rec is damaged (moved to records/bad/" + name +
+                          ".rec), computed again"));
     expect_same_products(folder, "whole", "again");
     // And is good now
     EXPECT_THAT(run_floe(folder, "run case.toml --allow-coarse -o again --resume").output,

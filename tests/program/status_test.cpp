@@ -110,11 +110,12 @@ TEST(Export, MakesTheProductsOfAFinishedRunAnew) {
   std::sort(made.begin(), made.end());
   // All that is there is listed, and goes with --fresh
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path() / "bare"))
-    if (entry.is_regular_file())
+    if (entry.is_regular_file()) {
       EXPECT_TRUE(std::binary_search(
           made.begin(), made.end(),
           std::filesystem::relative(entry.path(), folder.path() / "bare").string()))
           << entry.path();
+    }
   EXPECT_EQ(run_floe(folder, "run case.toml --allow-coarse -o bare --fresh").code, 0);
   expect_same_products(folder, "whole", "bare");
 }

@@ -42,6 +42,8 @@ class DirectoryStore final : public Store {
   std::optional<SeaGridReport> known_sea_grid() override;
   SeaTransfer known_transfer(std::size_t place) override;
   SeaObservation known_observation() override;
+  /// Case::plan_memory of the earlier run, with kResume; 0 where there is none.
+  double earlier_plan_memory() const;
   /// Whether a second run is kept out: some network file systems have no locks.
   bool locks() const;
   /// One sentence a record that was found damaged.
