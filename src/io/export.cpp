@@ -33,7 +33,8 @@ std::string status_of(const StoredRun& run, const Exported& exported) {
 Exported export_run(const std::filesystem::path& directory) {
   // Lock the run, and read whatever is damaged before anything is written
   static_cast<void>(StoredRun(directory));
-  const OutputDirectory output(directory, Existing::kResume);
+  OutputDirectory output(directory, Existing::kResume);
+  output.clear_leftovers();
   const StoredRun run(directory);
   const Case& data = run.data();
   const mesh::Q8Mesh mesh = run.fluid_mesh();
