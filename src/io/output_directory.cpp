@@ -231,6 +231,8 @@ void OutputDirectory::remove(const std::vector<std::string>& files) const {
 // What a killed run left beside the names of these files
 void OutputDirectory::remove_leftovers(const std::vector<std::string>& files) const {
   std::map<std::filesystem::path, std::set<std::string>> products;  // by folder
+  // NOTE: one that was killed at its first file has listed nothing yet
+  products[path_].insert(product_names().begin(), product_names().end());
   for (const std::string& file : files)
     if (is_inside(file))
       products[(path_ / file).parent_path()].insert((path_ / file).filename().string());
