@@ -15,10 +15,10 @@ const char* name_of(Part part) {
   return part == Part::kDone ? "done" : part == Part::kDamaged ? "damaged" : "open";
 }
 
-// "running" only while somebody does
 std::string state_of(const io::RunState& state) {
   if (!state.holder.empty()) return "running (" + state.holder + ")";
-  return state.complete() ? "complete" : state.status;
+  if (!state.complete() || state.status == "complete") return state.status;
+  return state.status + ", but all is solved (floe export makes the tables)";
 }
 
 Json json_of(const io::RunState& state) {
@@ -37,7 +37,7 @@ Json json_of(const io::RunState& state) {
             {"transfer_functions", state.transfers},
             {"transfer_functions_done", state.transfers_done}};
   return {{"title", state.title},
-          {"status", state.complete() && state.holder.empty() ? "complete" : state.status},
+          {"status", state.status},
           {"running", !state.holder.empty()},
           {"holder", state.holder},
           {"shard", {{"index", state.shard.index}, {"count", state.shard.count}}},
