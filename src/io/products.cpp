@@ -4,6 +4,7 @@
 #include "io/output_directory.hpp"
 #include "io/sea_tables.hpp"
 
+#include <floe/io/interchange.hpp>
 #include <floe/mesh/mesh_hash.hpp>
 #include <floe/preflight.hpp>
 
@@ -128,6 +129,8 @@ void Products::end(const std::string& status) {
   tables_->commit();
   tables_.reset();
   write_pvd(file("fields.pvd"), fields_);
+  if (!account.frequencies.empty())
+    write_netcdf(StoredRun(directory_), file("result.nc"), plate::DofSet::kPlate);
   account.status = status;
   write_account();
 }

@@ -2,6 +2,7 @@
 
 #include <floe/analysis.hpp>
 #include <floe/estimate.hpp>
+#include <floe/long_term_statistics.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -29,9 +30,15 @@ struct RunAccount {
   SeaGridReport sea_grid;  ///< no frequency: no seas
   struct Sea {
     std::string name;
-    double mean_heading_deg, significant_height, share_outside, grid_error;
+    double mean_heading_deg, significant_height, band_height, spreading_sum, share_outside,
+        grid_error;
   };
   std::vector<Sea> seas;
+  struct Climate {
+    std::string name, description;
+    double share_outside, grid_error;
+  };
+  std::vector<Climate> climates;
   std::vector<StageTime> stages;
   double peak_memory = 0.0;        ///< [byte]; 0: of this process
   std::vector<std::string> files;  ///< all files of the run, relative
@@ -39,6 +46,9 @@ struct RunAccount {
 
 /// What the account tells of one sea and mean heading.
 RunAccount::Sea summary_of(const SeaResult& result);
+
+/// And of one scatter diagram.
+RunAccount::Climate summary_of(const LongTermResult& result);
 
 /// The text of `run.json`; `options` is the case as case_json has it. Numbers that are not finite
 /// become null.

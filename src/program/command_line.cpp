@@ -32,6 +32,7 @@ Examples:
   floe status plate.out                   how far it is
   floe report table1.out                  one page to look at: table1.out/report.html
   floe stats table1_seas.out --sea storm.toml   other seas, without solving again
+  floe export table1.out --format netcdf --rigid-only   six motions, for other programs
   floe mesh rectangle --length 300 --width 60 --nx 50 --ny 10 -o plate.msh
 
 Exit codes: 0 done, 2 command line, 3 case file, 4 mesh, 5 sea states, 6 memory, 7 files, 8 not converged,
@@ -44,7 +45,7 @@ struct Choice {
   StatsOptions stats;
   ReportOptions report;
   StatusOptions status;
-  ExportOptions export_;
+  ExportOptions exported;
   MergeOptions merge;
   std::string memory, max_time;
   std::function<void()> action;  // what the chosen command does
@@ -158,11 +159,30 @@ void add_status(CLI::App& app, Choice& choice) {
 
 void add_export(CLI::App& app, Choice& choice) {
   CLI::App& command = *app.add_subcommand(
-      "export", "make all tables and fields of a run anew from its records; solve nothing");
-  command.add_option("directory", choice.export_.directory, "results of a run")
+      "export",
+      "make all tables and fields of a run anew from its records, or files of other programs; "
+      "solve nothing");
+  ExportOptions& options = choice.exported;
+  command.add_option("directory", options.directory, "results of a run")
       ->required()
       ->type_name("DIR");
-  command.callback([&choice] { choice.action = [&choice] { export_results(choice.export_); }; });
+  command
+      .add_option("--format", options.format,
+                  "netcdf (as capytaine's) or wamit: a file of that kind only")
+      ->type_name("FORMAT")
+      ->check(one_of("--format", "netcdf or wamit",
+                     [](const std::string& text) { return text == "netcdf" || text == "wamit"; }));
+  CLI::Option* rigid = command.add_flag("--rigid-only", options.rigid_only,
+                                        "surge to yaw of each plate, no elastic modes");
+  command
+      .add_flag("--all-dofs", options.all_dofs, "surge to yaw of each plate, then elastic modes")
+      ->excludes(rigid);
+  command
+      .add_option("--length", options.length, "length of WAMIT's normalisation [m] (default: 1)")
+      ->type_name("L");
+  command.add_option("-o", options.output, "file to write; for wamit without its suffix")
+      ->type_name("FILE");
+  command.callback([&choice] { choice.action = [&choice] { export_results(choice.exported); }; });
 }
 
 void add_merge(CLI::App& app, Choice& choice) {

@@ -57,9 +57,20 @@ void tell_status(const StatusOptions& options);
 
 struct ExportOptions {
   std::filesystem::path directory;  ///< of a run
+  std::string format;               ///< "netcdf" or "wamit"; empty: the run's own products
+  bool rigid_only = false;          ///< the six rigid motions of each body and nothing else
+  bool all_dofs = false;            ///< these and the elastic modes
+  double length = 1.0;              ///< of WAMIT's normalisation [m]
+  std::filesystem::path output;     ///< file or, for WAMIT, files' stem; empty: in the directory
 };
 
+/// Writes a run as files that other programs read.
+void export_for_others(const ExportOptions& options);
+
 /// Makes all products of a run anew from its records.
+void remake_products(const std::filesystem::path& directory);
+
+/// One or the other, as the format says.
 void export_results(const ExportOptions& options);
 
 struct MergeOptions {

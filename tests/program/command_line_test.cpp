@@ -79,6 +79,8 @@ TEST(Program, RefusesWrongCommandLinesWithTwo) {
       {"mesh rectangle --length 3 --width -1 --nx 2 --ny 2 -o a.msh",
        "invalid rectangle width = -1 m (must be positive)"},
       {"mesh rectangle --length 3 --width 1 --nx 0 --ny 2 -o a.msh", "must be at least 1"},
+      {"run a.toml --shard 3/2", "invalid --shard = 3/2 (must be I/N with 1 <= I <= N, like 3/40)"},
+      {"export some.out --format tecplot", "invalid --format = tecplot (must be netcdf or wamit)"},
       {"mesh disk", "unknown word disk (did you mean disc?)"},
       {"mesh disc --radius 0 --element-size 1 -o a.msh",
        "invalid disc radius = 0 m (must be positive)"},
