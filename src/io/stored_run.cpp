@@ -97,14 +97,6 @@ std::vector<FrequencyResult> StoredRun::frequencies() const {
   return results;
 }
 
-bool StoredRun::has_frequency(std::size_t place) const {
-  return std::filesystem::exists(record(numbered_record("frequency", place)));
-}
-
-FrequencyResult StoredRun::frequency(std::size_t place) const {
-  return frequency_from(Record::read(record(numbered_record("frequency", place))));
-}
-
 std::optional<SeaGridReport> StoredRun::finished_seas() const {
   if (!std::filesystem::exists(record(kSeaGrid))) return std::nullopt;
   return finished_grid_from(Record::read(record(kSeaGrid)));
