@@ -125,12 +125,15 @@ void Products::end_seas(const SeaGridReport& grid) {
 
 void Products::end(const std::string& status) {
   mesh_ = nullptr;
-  tables_->rollback();
-  tables_->commit();
-  tables_.reset();
-  write_pvd(file("fields.pvd"), fields_);
-  if (!account.frequencies.empty())
-    write_netcdf(StoredRun(directory_), file("result.nc"), plate::DofSet::kPlate);
+  // What failed at its end once is not tried again
+  if (tables_) {
+    tables_->rollback();
+    tables_->commit();
+    tables_.reset();
+    write_pvd(file("fields.pvd"), fields_);
+    if (!account.frequencies.empty())
+      write_netcdf(StoredRun(directory_), file("result.nc"), plate::DofSet::kPlate);
+  }
   account.status = status;
   write_account();
 }

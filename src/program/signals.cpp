@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <ctime>
 #include <initializer_list>
 #include <optional>
@@ -48,6 +49,9 @@ void open_closed_streams() {
 
 void prepare_process() {
   open_closed_streams();
+  // NOTE: HDF5 would refuse file systems without locks; our files have names of their own until
+  // they are complete, and the folder is locked
+  ::setenv("HDF5_USE_FILE_LOCKING", "FALSE", 0);
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   struct sigaction action {};

@@ -57,7 +57,7 @@ TEST(Bar, FitsTheTerminal) {
             "[############............]  50 %  frequency 3 of 5");
   EXPECT_EQ(bar_text(0.5, 90.0, "frequency 3 of 5", 40),
             " 50 %, 1 min 30 s left  frequency 3 of 5");
-  EXPECT_EQ(bar_text(0.5, 90.0, "frequency 3 of 5", 19), " 50 %, 1 min 30 s ");
+  EXPECT_EQ(bar_text(0.5, 90.0, "frequency 3 of 5", 19), " 50 %, 1 min 30 s l");
   EXPECT_EQ(bar_text(0.5, 90.0, "", 4), " 50 ");
   EXPECT_EQ(bar_text(7.0, 0.0, "", 80), "[########################] 100 %, 0 s left");
 }

@@ -223,13 +223,13 @@ TEST(ResultFolder, WithoutLocksIsUsedWithAWarning) {
 
 TEST(Signals, OfABatchSystemStopWithSeventyFiveAndAHangUpWith129) {
   const TestFolder folder;
-  folder.write("case.toml", with("[0.4, 0.5]", "{ from = 0.2, to = 0.6, count = 100000 }"));
+  folder.write("case.toml", with("[0.4, 0.5]", "{ from = 0.2, to = 0.6, count = 20000 }"));
   for (const auto& [name, code] : {std::pair{"USR1", 75}, std::pair{"HUP", 129}}) {
     const ProgramResult result =
         run_floe(folder, "run case.toml --allow-coarse --fresh",
                  std::string("timeout --preserve-status -s ") + name + " 2");
     EXPECT_EQ(result.code, code) << result.error;
-    EXPECT_THAT(result.output, HasSubstr("of 100000 frequencies in case.out/"));
+    EXPECT_THAT(result.output, HasSubstr("of 20000 frequencies in case.out/"));
   }
 }
 
@@ -237,11 +237,11 @@ TEST(Signals, GivenTwiceLeaveAtOnceAndKeepTheRecords) {
   const TestFolder folder;
   // Seconds a frequency: the first signal waits for it, the second does not
   folder.write("case.toml",
-               with("nx = 4, ny = 2", "nx = 60, ny = 14") + "[solver]\nmethod = \"dense\"\n");
+               with("nx = 4, ny = 2", "nx = 80, ny = 16") + "[solver]\nmethod = \"dense\"\n");
   const ProgramResult result =
       run_floe(folder,
                "run case.toml --progress=none & run=$!; while [ ! -e case.out/records/modes.rec ]; "
-               "do :; done; kill -INT $run; sleep 0.4; kill -INT $run; wait $run");
+               "do :; done; sleep 0.3; kill -INT $run; sleep 0.4; kill -INT $run; wait $run");
   EXPECT_EQ(result.code, 130);
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "case.out/records/modes.rec"));
   EXPECT_EQ(result.error.find("interrupted"), std::string::npos) << "it had no time to say so";
