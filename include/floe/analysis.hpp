@@ -3,6 +3,7 @@
 #include <floe/mesh/gmsh.hpp>
 #include <floe/mesh/q8_mesh.hpp>
 #include <floe/mesh/rectangle.hpp>
+#include <floe/mesh/shapes.hpp>
 #include <floe/numeric/types.hpp>
 #include <floe/plate/dry_modes.hpp>
 #include <floe/plate/plate_properties.hpp>
@@ -19,8 +20,10 @@
 /// The whole story: a case goes in, results go to a store, stage by stage.
 namespace floe {
 
-/// Where a mesh comes from: the generator, or a file.
-using MeshSource = std::variant<mesh::RectangleOptions, std::filesystem::path>;
+/// Where a mesh comes from: a shape that floe meshes, or a file.
+using MeshSource =
+    std::variant<mesh::RectangleOptions, mesh::DiscOptions, mesh::RingOptions, mesh::LShapeOptions,
+                 mesh::ModuleArrayOptions, std::filesystem::path>;
 
 /// Makes or reads it, with notices about what was left out or turned.
 mesh::MeshFile load_mesh(const MeshSource& source);

@@ -21,6 +21,12 @@ std::vector<std::string> plate_keys() {
           "shear_correction", "loss_factor",    "mesh"};
 }
 
+const std::vector<std::string>& mesh_keys() {
+  static const std::vector<std::string> keys = {"rectangle", "disc",    "ring",
+                                                "lshape",    "modules", "file"};
+  return keys;
+}
+
 mesh::RectangleOptions read_rectangle(const Section& mesh) {
   const Section table = mesh.table("rectangle", {"length", "width", "nx", "ny", "grading"});
   const NumberRule grading{"", "must be 1 to 100", [](double x) { return x >= 1.0 && x <= 100.0; }};
@@ -52,13 +58,36 @@ std::filesystem::path read_mesh_path(const Section& mesh, const std::filesystem:
   return path;
 }
 
+// Any other shape that floe meshes
+template <typename Shape>
+MeshSource read_shape(const Section& mesh) {
+  Shape shape;
+  const mesh::ShapeKeys<Shape> keys = shape_keys(shape);
+  std::vector<std::string> known;
+  for (const auto& length : keys.lengths) known.push_back(length.key);
+  for (const auto& count : keys.counts) known.push_back(count.key);
+  const Section table = mesh.table(keys.name, known);
+  for (const auto& length : keys.lengths)
+    shape.*length.member = table.number(length.key, kPositive("m"));
+  for (const auto& count : keys.counts)
+    shape.*count.member = table.integer(count.key, 1, kMostElements);
+  return shape;
+}
+
 MeshSource read_mesh_source(const Section& mesh, const std::filesystem::path& folder) {
-  const bool rectangle = mesh.find("rectangle"), file = mesh.find("file");
-  if (rectangle == file)
-    mesh.source().refuse(mesh.place(),
-                         fmt::format("{} {} (must hold either rectangle or file)",
-                                     rectangle ? "ambiguous" : "missing", mesh.name()));
-  if (rectangle) return read_rectangle(mesh);
+  std::vector<std::string> given;
+  for (const std::string& key : mesh_keys())
+    if (mesh.find(key)) given.push_back(key);
+  if (given.size() != 1)
+    mesh.source().refuse(mesh.place(), fmt::format("{} {} (must hold one of {})",
+                                                   given.empty() ? "missing" : "ambiguous",
+                                                   mesh.name(), fmt::join(mesh_keys(), ", ")));
+  const std::string& key = given.front();
+  if (key == "rectangle") return read_rectangle(mesh);
+  if (key == "disc") return read_shape<mesh::DiscOptions>(mesh);
+  if (key == "ring") return read_shape<mesh::RingOptions>(mesh);
+  if (key == "lshape") return read_shape<mesh::LShapeOptions>(mesh);
+  if (key == "modules") return read_shape<mesh::ModuleArrayOptions>(mesh);
   return read_mesh_path(mesh, folder);
 }
 
@@ -95,10 +124,10 @@ void read_plate(const Section& root, Case& data) {
 }
 
 void read_meshes(const Section& root, const std::filesystem::path& folder, Case& data) {
-  data.mesh = read_mesh_source(root.table("mesh", {"rectangle", "file"}), folder);
+  data.mesh = read_mesh_source(root.table("mesh", mesh_keys()), folder);
   const Section plate = root.table("plate", plate_keys());
   if (!plate.find("mesh")) return;
-  data.plate_mesh = {read_mesh_source(plate.table("mesh", {"rectangle", "file"}), folder)};
+  data.plate_mesh = {read_mesh_source(plate.table("mesh", mesh_keys()), folder)};
 }
 
 void read_modes(const Section& root, Case& data) {
