@@ -57,7 +57,7 @@ void add(const DryModeReport& part, DryModeReport& whole) {
 
 }  // namespace
 
-DryModes dry_modes(const mesh::Q8Mesh& mesh, const PlateProperties& properties,
+DryModes dry_modes(const mesh::Q8Mesh& mesh, const PlateRegions& regions,
                    const DryModeOptions& options) {
   const int rigid_count = 3 * mesh.piece_count();
   const Index unknowns = kUnknownsPerNode * mesh.node_count();
@@ -71,7 +71,8 @@ DryModes dry_modes(const mesh::Q8Mesh& mesh, const PlateProperties& properties,
   DryModeOptions elastic = options;
   elastic.count = static_cast<int>(elastic_count);
   std::vector<PieceModes> modes;
-  for (const Piece& piece : pieces) modes.push_back(piece_modes(piece, properties, elastic));
+  for (const Piece& piece : pieces)
+    modes.push_back(piece_modes(piece, regions.at(piece.element), elastic));
   const std::vector<ElasticMode> chosen = choose_elastic(modes, elastic_count);
 
   // Put them together
@@ -97,7 +98,7 @@ DryModes dry_modes(const mesh::Q8Mesh& mesh, const PlateProperties& properties,
                    "invalid dry modes: not finite (are thickness, stiffness and density of the "
                    "plate in SI units?)");
   result.estimated_frequency_error =
-      estimate_frequency_errors(mesh, properties, result.omega, result.shape).maxCoeff();
+      estimate_frequency_errors(mesh, regions, result.omega, result.shape).maxCoeff();
   return result;
 }
 

@@ -11,8 +11,9 @@ namespace floe::plate {
 
 /// One connected piece of the mesh, with nodes and elements numbered by themselves.
 struct Piece {
-  std::vector<Index> node;  ///< of the mesh, rising
-  Points2 nodes;            ///< [m]
+  std::vector<Index> node;     ///< of the mesh, rising
+  std::vector<Index> element;  ///< likewise
+  Points2 nodes;               ///< [m]
   mesh::Connectivity elements;
 };
 std::vector<Piece> split_pieces(const mesh::Q8Mesh& mesh);
@@ -23,6 +24,10 @@ struct AreaMoments {
   Point2 centroid = Point2::Zero();
 };
 AreaMoments area_moments(const Piece& piece);
+
+/// Area of each region within these elements [m²].
+std::vector<double> region_areas(const Points2& nodes, const mesh::Connectivity& elements,
+                                 const PlateRegions& regions);
 
 /// Heave, roll and pitch about `centre`, each scaled to cᵀMc = 1.
 MatXd rigid_modes(const Points2& nodes, const Point2& centre, const NodeMass& mass);
@@ -38,7 +43,7 @@ struct PieceModes {
 
 /// The rigid and the lowest `options.count` elastic modes; all elastic ones where the piece has no
 /// more. Throws as dry_modes.
-PieceModes piece_modes(const Piece& piece, const PlateProperties& properties,
+PieceModes piece_modes(const Piece& piece, const PlateRegions& regions,
                        const DryModeOptions& options);
 
 }  // namespace floe::plate
