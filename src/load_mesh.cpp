@@ -16,7 +16,7 @@ mesh::MeshFile make(const mesh::ModuleArrayOptions& shape) {
 }
 
 mesh::MeshFile make(const std::filesystem::path& path) {
-  mesh::MeshFile file = mesh::read_gmsh(path);
+  mesh::MeshFile file = mesh::read_mesh(path);
   if (file.mesh.reoriented_count() > 0)
     file.notices.push_back(
         fmt::format("{} elements were clockwise and were turned", file.mesh.reoriented_count()));

@@ -1,6 +1,7 @@
 #include "program/commands.hpp"
 #include "program/exit_code.hpp"
 
+#include <floe/mesh/gmsh.hpp>
 #include <floe/mesh/mesh_quality.hpp>
 #include <floe/numeric/error.hpp>
 
