@@ -6,7 +6,7 @@
 #include <floe/mesh/shapes.hpp>
 #include <floe/numeric/types.hpp>
 #include <floe/plate/dry_modes.hpp>
-#include <floe/plate/plate_properties.hpp>
+#include <floe/plate/plate_regions.hpp>
 #include <floe/response/quantity.hpp>
 #include <floe/sea_results.hpp>
 #include <floe/wave/water.hpp>
@@ -42,6 +42,12 @@ struct NamedLine {
   int count = 0;
 };
 
+/// A part of the plate with properties of its own.
+struct PlateRegion {
+  std::string name;                   ///< of a group of elements of the plate's mesh
+  plate::PlateProperties properties;  ///< shear correction and loss factor as those of the plate
+};
+
 /// A wave for which node fields are written.
 struct FieldRequest {
   double omega = 0.0;        ///< one of Case::omega [rad/s]
@@ -60,6 +66,7 @@ struct Case {
   std::string text;  ///< the case file as it was written; empty without one
   wave::Water water;
   plate::PlateProperties plate;
+  std::vector<PlateRegion> regions;  ///< parts of the plate that differ
   MeshSource mesh;
   std::vector<MeshSource> plate_mesh;  ///< empty, or one: a mesh of its own for the plate
   int mode_count = 30;
@@ -77,6 +84,10 @@ struct Case {
   bool allow_coarse = false;  ///< go on with fewer than 2 nodes a wavelength
   double memory_limit = 0.0;  ///< [byte]; 0: what the machine and its cgroup allow
 };
+
+/// The properties of every element of the plate, `mesh` its own mesh if it has one. Throws
+/// InputError when a region names no group of the mesh, or when an element lies in two of them.
+plate::PlateRegions plate_regions(const Case& data, const mesh::Q8Mesh& mesh);
 
 /// What a frequency's solution is worth.
 struct FrequencyReport {
