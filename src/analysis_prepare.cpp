@@ -100,14 +100,17 @@ PlateModel prepare_plate(const Case& data, const Meshes& meshes,
   const SparseMatrix at_points =
       response::interpolation_to(mesh, positions_of(data.points), names_of(data.points));
   const SparseMatrix at_lines = interpolation_to_lines(mesh, data.lines);
+  const plate::PlateRegions regions = plate_regions(data, mesh);
   plate::DryModes modes =
-      known ? std::move(*known) : plate::dry_modes(mesh, data.plate, {.count = data.mode_count});
+      known ? std::move(*known) : plate::dry_modes(mesh, regions, {.count = data.mode_count});
   plate::DryModes fluid_modes =
       meshes.own_plate ? plate::interpolate_modes(modes, mesh, meshes.fluid) : modes;
-  response::ModalBasis points(mesh, data.plate, modes, at_points, data.quantities);
+  const std::vector<Index> elements =
+      response::elements_at(mesh, positions_of(data.points), names_of(data.points));
+  response::ModalBasis points(mesh, regions, modes, at_points, data.quantities, elements);
   response::ModalBasis lines(mesh, data.plate, modes, at_lines, {});
   std::optional<plate::StaticCorrection> correction;
-  if (wants_section_forces(data)) correction.emplace(mesh, data.plate, modes);
+  if (wants_section_forces(data)) correction.emplace(mesh, regions, modes);
   SparseMatrix from_plate;
   if (meshes.own_plate) from_plate = interpolation_to_nodes(mesh, meshes.fluid);
   return {std::move(modes), std::move(fluid_modes), std::move(points),

@@ -18,6 +18,43 @@ constexpr double kLargestAspect = 20.0;
 constexpr double kLargestJump = 10.0;
 constexpr double kLargestScale = 1e4;
 
+// A part of the plate with its own waves, and the distance of its nodes
+struct Part {
+  plate::PlateProperties properties;
+  double spacing = 0.0;  // [m]
+};
+
+bool knows_regions(const mesh::Q8Mesh& mesh, const Case& data) {
+  return std::all_of(data.regions.begin(), data.regions.end(), [&](const PlateRegion& region) {
+    return std::any_of(mesh.groups().begin(), mesh.groups().end(),
+                       [&](const mesh::ElementGroup& g) { return g.name == region.name; });
+  });
+}
+
+// The fluid's mesh and the plate's own both have to follow the waves along the plate, in each
+// region those of the region. Where the mesh does not know the regions its longest edge counts
+std::vector<Part> parts_of(const Case& data, const mesh::Q8Mesh& mesh,
+                           const mesh::Q8Mesh* plate_mesh) {
+  const mesh::Q8Mesh& own = plate_mesh ? *plate_mesh : mesh;
+  const VecXd edges = mesh::longest_edges(own);
+  const double fluid = plate_mesh ? mesh::longest_edges(mesh).maxCoeff() : 0.0;
+  std::vector<Part> parts;
+  if (!knows_regions(own, data)) {
+    const double spacing = 0.5 * std::max(edges.maxCoeff(), fluid);
+    parts.push_back({data.plate, spacing});
+    for (const PlateRegion& region : data.regions) parts.push_back({region.properties, spacing});
+    return parts;
+  }
+  const plate::PlateRegions regions = plate_regions(data, own);
+  std::vector<double> longest(regions.count(), 0.0);
+  for (Index e = 0; e < own.element_count(); ++e)
+    longest[regions.region(e)] = std::max(longest[regions.region(e)], edges[e]);
+  for (int region = 0; region < regions.count(); ++region)
+    if (longest[region] > 0.0)
+      parts.push_back({regions[region], 0.5 * std::max(longest[region], fluid)});
+  return parts;
+}
+
 // Range of the frequencies below a bound: "omega = 1.2 … 2 rad/s (5 of 9 frequencies)"
 std::string name_coarse(const std::vector<Resolution>& resolution, double bound, double& least) {
   double from = std::numeric_limits<double>::infinity(), to = 0.0;
@@ -112,18 +149,21 @@ Preflight preflight(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Me
   Preflight found;
   found.quality = mesh::measure_quality(mesh);
   const double spacing = 0.5 * found.quality.longest_edge;
-  const double plate_spacing =
-      plate_mesh ? std::max(spacing, 0.5 * mesh::measure_quality(*plate_mesh).longest_edge)
-                 : spacing;
+  const std::vector<Part> parts = parts_of(data, mesh, plate_mesh);
   for (const double omega : data.omega) {
     const double wavelength = 2.0 * std::numbers::pi / wave::wavenumber(omega, data.water);
-    const double flexural =
-        2.0 * std::numbers::pi / hydro::flexural_wavenumber(omega, data.water, data.plate);
-    found.resolution.push_back({.omega = omega,
-                                .wavelength = wavelength,
-                                .flexural_wavelength = flexural,
-                                .nodes_per_wavelength = wavelength / spacing,
-                                .nodes_per_flexural_wavelength = flexural / plate_spacing});
+    Resolution resolution;
+    resolution.omega = omega;
+    resolution.wavelength = wavelength;
+    resolution.nodes_per_wavelength = wavelength / spacing;
+    for (const Part& part : parts) {
+      const double flexural =
+          2.0 * std::numbers::pi / hydro::flexural_wavenumber(omega, data.water, part.properties);
+      if (flexural / part.spacing >= resolution.nodes_per_flexural_wavelength) continue;
+      resolution.flexural_wavelength = flexural;
+      resolution.nodes_per_flexural_wavelength = flexural / part.spacing;
+    }
+    found.resolution.push_back(resolution);
   }
   warn_about_shape(found.quality, found.warnings);
   warn_about_waves(found.resolution, mesh.size(), found.warnings);
@@ -148,6 +188,7 @@ void require_fit(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Mesh*
     require_points(data, *plate_mesh);
   }
   require_modes(data, plate_mesh ? *plate_mesh : mesh);
+  static_cast<void>(plate_regions(data, plate_mesh ? *plate_mesh : mesh));
 }
 
 }  // namespace floe

@@ -3,6 +3,7 @@
 #include <floe/analysis.hpp>
 #include <floe/mesh/mesh_quality.hpp>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -12,11 +13,12 @@ namespace floe {
 /// How well the mesh follows the waves of one frequency. Nodes lie half an element edge apart; the
 /// mesh's longest edge counts.
 struct Resolution {
-  double omega = 0.0;                ///< [rad/s]
-  double wavelength = 0.0;           ///< of the incident wave [m]
-  double flexural_wavelength = 0.0;  ///< of the flexural-gravity wave along the plate [m]
+  double omega = 0.0;       ///< [rad/s]
+  double wavelength = 0.0;  ///< of the incident wave [m]
+  /// Of the flexural-gravity wave along the plate, in the region with the fewest nodes a wave [m].
+  double flexural_wavelength = std::numeric_limits<double>::infinity();
   double nodes_per_wavelength = 0.0;
-  double nodes_per_flexural_wavelength = 0.0;
+  double nodes_per_flexural_wavelength = std::numeric_limits<double>::infinity();
   double least_nodes() const {
     return nodes_per_wavelength < nodes_per_flexural_wavelength ? nodes_per_wavelength
                                                                 : nodes_per_flexural_wavelength;
@@ -44,8 +46,9 @@ Preflight preflight(const Case& data, const mesh::Q8Mesh& mesh,
 void require_resolution(const Case& data, const Preflight& found);
 
 /// Throws what a run would throw later on. InputError: a point or a station of a line lies on no
-/// plate (the first is named), or there are fewer modes than three a plate or more than half the
-/// unknowns. MeshError: the plate's own mesh leaves out a node of the fluid's.
+/// plate (the first is named), a region is none of the mesh, or there are fewer modes than three a
+/// plate or more than half the unknowns. MeshError: the plate's own mesh leaves out a node of the
+/// fluid's.
 void require_fit(const Case& data, const mesh::Q8Mesh& mesh,
                  const mesh::Q8Mesh* plate_mesh = nullptr);
 

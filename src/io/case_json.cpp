@@ -140,6 +140,14 @@ Case read_case_json(const Json& options) {
                 .density = plate.at("density"),
                 .shear_correction = plate.at("shear_correction"),
                 .loss_factor = plate.at("loss_factor")};
+  for (const Json& region : plate.value("region", Json::array())) {
+    PlateRegion read{region.at("name"), data.plate};
+    read.properties.thickness = region.at("thickness");
+    read.properties.youngs_modulus = region.at("youngs_modulus");
+    read.properties.poisson_ratio = region.at("poisson_ratio");
+    read.properties.density = region.at("density");
+    data.regions.push_back(std::move(read));
+  }
   if (plate.contains("mesh")) data.plate_mesh.push_back(mesh_source_from(plate.at("mesh")));
   data.mesh = mesh_source_from(options.at("mesh"));
   data.mode_count = options.at("modes").at("count");
@@ -168,6 +176,12 @@ Json case_json(const Case& data) {
                 {"density", p.density},
                 {"shear_correction", p.shear_correction},
                 {"loss_factor", p.loss_factor}};
+  for (const PlateRegion& region : data.regions)
+    plate["region"].push_back({{"name", region.name},
+                               {"thickness", region.properties.thickness},
+                               {"youngs_modulus", region.properties.youngs_modulus},
+                               {"poisson_ratio", region.properties.poisson_ratio},
+                               {"density", region.properties.density}});
   if (!data.plate_mesh.empty()) plate["mesh"] = json_of(data.plate_mesh.front());
   const Json depth = std::isinf(data.water.depth) ? Json("inf") : Json(data.water.depth);
   return {

@@ -27,12 +27,22 @@ namespace floe::io {
 
 namespace {
 
-nlohmann::ordered_json manifest_json(const Case& data, const std::string& mesh_hash) {
-  return {{"program", "floe"},
-          {"version", FLOE_VERSION},
-          {"mesh_hash", mesh_hash},
-          {"options", case_json(data)},
-          {"case_text", data.text}};
+nlohmann::ordered_json manifest_json(const Case& data, const std::string& mesh_hash,
+                                     const std::string& group_hash) {
+  nlohmann::ordered_json manifest = {{"program", "floe"},
+                                     {"version", FLOE_VERSION},
+                                     {"mesh_hash", mesh_hash},
+                                     {"options", case_json(data)},
+                                     {"case_text", data.text}};
+  if (!group_hash.empty()) manifest["group_hash"] = group_hash;
+  return manifest;
+}
+
+// Of the mesh whose groups the plate's regions are; empty without regions
+std::string hash_of_regions(const Case& data, const mesh::Q8Mesh& fluid) {
+  if (data.regions.empty()) return "";
+  if (data.plate_mesh.empty()) return mesh::group_hash(fluid);
+  return mesh::group_hash(load_mesh(data.plate_mesh.front()).mesh);
 }
 
 void make_folder(const std::filesystem::path& folder) {
@@ -85,6 +95,7 @@ class DirectoryStore::Impl {
   std::optional<ResultTables> tables_;
   std::vector<PvdEntry> fields_;
   std::vector<SeaResult> seas_;
+  std::string group_hash_;     // of the plate's regions
   std::size_t transfers_ = 0;  // stored so far
 };
 
@@ -96,6 +107,7 @@ void DirectoryStore::Impl::begin(const Case& given, const mesh::Q8Mesh& given_me
   // Describe the run
   account.status = "running";
   account.mesh_hash = mesh::mesh_hash(given_mesh);
+  group_hash_ = hash_of_regions(given, given_mesh);
   account.nodes = given_mesh.node_count();
   account.elements = given_mesh.element_count();
   account.pieces = given_mesh.piece_count();
@@ -134,7 +146,7 @@ void DirectoryStore::Impl::require_same_case() const {
   const StoredRun earlier(directory.path());
   // NOTE: through text, as the other was
   nlohmann::ordered_json mine =
-      nlohmann::ordered_json::parse(manifest_json(data_, account.mesh_hash).dump());
+      nlohmann::ordered_json::parse(manifest_json(data_, account.mesh_hash, group_hash_).dump());
   nlohmann::ordered_json theirs = nlohmann::ordered_json::parse(earlier.manifest_text());
   for (nlohmann::ordered_json* manifest : {&mine, &theirs}) {
     manifest->erase("case_text");
@@ -176,7 +188,7 @@ bool DirectoryStore::Impl::knows_all_transfers(const SeaGridReport& grid) {
 }
 
 void DirectoryStore::Impl::write_manifest() const {
-  const nlohmann::ordered_json manifest = manifest_json(data_, account.mesh_hash);
+  const nlohmann::ordered_json manifest = manifest_json(data_, account.mesh_hash, group_hash_);
   write_file(file(kManifest),
              manifest.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }

@@ -11,4 +11,7 @@ namespace floe::mesh {
 /// equal hashes; the last bit of a coordinate changes it.
 std::string mesh_hash(const Q8Mesh& mesh);
 
+/// The same over the names and elements of its groups.
+std::string group_hash(const Q8Mesh& mesh);
+
 }  // namespace floe::mesh
