@@ -9,12 +9,13 @@
 namespace floe {
 namespace {
 
-const mesh::ElementGroup& find_group(const std::string& name, const mesh::Q8Mesh& mesh) {
-  const auto group = std::find_if(mesh.groups().begin(), mesh.groups().end(),
+const mesh::ElementGroup& find_group(const std::string& name,
+                                     const std::vector<mesh::ElementGroup>& groups) {
+  const auto group = std::find_if(groups.begin(), groups.end(),
                                   [&](const mesh::ElementGroup& g) { return g.name == name; });
-  if (group != mesh.groups().end()) return *group;
+  if (group != groups.end()) return *group;
   std::vector<std::string> known;
-  for (const mesh::ElementGroup& g : mesh.groups()) known.push_back(g.name);
+  for (const mesh::ElementGroup& g : groups) known.push_back(g.name);
   throw InputError(fmt::format(
       "invalid plate.region.name = {} (must be a group of the mesh's elements, {})", name,
       known.empty() ? "of which it has none: physical surfaces of Gmsh, cell data region of VTU"
@@ -23,14 +24,19 @@ const mesh::ElementGroup& find_group(const std::string& name, const mesh::Q8Mesh
 
 }  // namespace
 
-plate::PlateRegions plate_regions(const Case& data, const mesh::Q8Mesh& mesh) {
+const MeshSource& plate_source(const Case& data) {
+  return data.plate_mesh.empty() ? data.mesh : data.plate_mesh.front();
+}
+
+plate::PlateRegions plate_regions(const Case& data, Index element_count,
+                                  const std::vector<mesh::ElementGroup>& groups) {
   if (data.regions.empty()) return data.plate;
   std::vector<plate::PlateProperties> properties{data.plate};
-  std::vector<int> of_element(mesh.element_count(), 0);
+  std::vector<int> of_element(element_count, 0);
   for (const PlateRegion& region : data.regions) {
     const auto number = static_cast<int>(properties.size());
     properties.push_back(region.properties);
-    for (const Index element : find_group(region.name, mesh).elements) {
+    for (const Index element : find_group(region.name, groups).elements) {
       int& own = of_element[element];
       FLOE_VALIDATE(own == 0, "invalid plate.region.name = "
                                   << region.name << ": element " << element + 1

@@ -24,31 +24,17 @@ struct Part {
   double spacing = 0.0;  // [m]
 };
 
-bool knows_regions(const mesh::Q8Mesh& mesh, const Case& data) {
-  return std::all_of(data.regions.begin(), data.regions.end(), [&](const PlateRegion& region) {
-    return std::any_of(mesh.groups().begin(), mesh.groups().end(),
-                       [&](const mesh::ElementGroup& g) { return g.name == region.name; });
-  });
-}
-
 // The fluid's mesh and the plate's own both have to follow the waves along the plate, in each
-// region those of the region. Where the mesh does not know the regions its longest edge counts
-std::vector<Part> parts_of(const Case& data, const mesh::Q8Mesh& mesh,
+// region those of the region
+std::vector<Part> parts_of(const plate::PlateRegions& regions, const mesh::Q8Mesh& mesh,
                            const mesh::Q8Mesh* plate_mesh) {
   const mesh::Q8Mesh& own = plate_mesh ? *plate_mesh : mesh;
   const VecXd edges = mesh::longest_edges(own);
   const double fluid = plate_mesh ? mesh::longest_edges(mesh).maxCoeff() : 0.0;
-  std::vector<Part> parts;
-  if (!knows_regions(own, data)) {
-    const double spacing = 0.5 * std::max(edges.maxCoeff(), fluid);
-    parts.push_back({data.plate, spacing});
-    for (const PlateRegion& region : data.regions) parts.push_back({region.properties, spacing});
-    return parts;
-  }
-  const plate::PlateRegions regions = plate_regions(data, own);
   std::vector<double> longest(regions.count(), 0.0);
   for (Index e = 0; e < own.element_count(); ++e)
     longest[regions.region(e)] = std::max(longest[regions.region(e)], edges[e]);
+  std::vector<Part> parts;
   for (int region = 0; region < regions.count(); ++region)
     if (longest[region] > 0.0)
       parts.push_back({regions[region], 0.5 * std::max(longest[region], fluid)});
@@ -145,11 +131,13 @@ void require_cover(const mesh::Q8Mesh& plate, const mesh::Q8Mesh& fluid) {
 
 }  // namespace
 
-Preflight preflight(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Mesh* plate_mesh) {
+Preflight preflight(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Mesh* plate_mesh,
+                    const plate::PlateRegions* regions) {
   Preflight found;
   found.quality = mesh::measure_quality(mesh);
   const double spacing = 0.5 * found.quality.longest_edge;
-  const std::vector<Part> parts = parts_of(data, mesh, plate_mesh);
+  const std::vector<Part> parts =
+      parts_of(regions ? *regions : plate::PlateRegions(data.plate), mesh, plate_mesh);
   for (const double omega : data.omega) {
     const double wavelength = 2.0 * std::numbers::pi / wave::wavenumber(omega, data.water);
     Resolution resolution;
@@ -188,7 +176,6 @@ void require_fit(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Mesh*
     require_points(data, *plate_mesh);
   }
   require_modes(data, plate_mesh ? *plate_mesh : mesh);
-  static_cast<void>(plate_regions(data, plate_mesh ? *plate_mesh : mesh));
 }
 
 }  // namespace floe

@@ -85,9 +85,13 @@ struct Case {
   double memory_limit = 0.0;  ///< [byte]; 0: what the machine and its cgroup allow
 };
 
-/// The properties of every element of the plate, `mesh` its own mesh if it has one. Throws
-/// InputError when a region names no group of the mesh, or when an element lies in two of them.
-plate::PlateRegions plate_regions(const Case& data, const mesh::Q8Mesh& mesh);
+/// The mesh of the plate: its own, or else that of the fluid.
+const MeshSource& plate_source(const Case& data);
+
+/// The properties of every element of the plate, from the groups of its mesh. Throws InputError
+/// when a region names none of them, or when an element lies in two regions.
+plate::PlateRegions plate_regions(const Case& data, Index element_count,
+                                  const std::vector<mesh::ElementGroup>& groups);
 
 /// What a frequency's solution is worth.
 struct FrequencyReport {

@@ -34,21 +34,22 @@ struct Preflight {
   std::vector<std::string> warnings;
 };
 
-/// Looks at the mesh (and the plate's own mesh, if it has one) against all waves of the case.
+/// Looks at the mesh (and the plate's own mesh, if it has one) against all waves of the case; in
+/// each region of the plate against its own. Without `regions` the plate is uniform.
 /// Warns about fewer than 4 nodes a wavelength, elements with an aspect ratio over 20, edge lengths
 /// that jump by more than 10 between neighbours, and a mesh whose size and wavelengths differ by
 /// more than 1e4 (a mesh in millimetres).
 Preflight preflight(const Case& data, const mesh::Q8Mesh& mesh,
-                    const mesh::Q8Mesh* plate_mesh = nullptr);
+                    const mesh::Q8Mesh* plate_mesh = nullptr,
+                    const plate::PlateRegions* regions = nullptr);
 
 /// Throws InputError when a frequency has fewer than 2 nodes a wavelength and the case does not
 /// allow it.
 void require_resolution(const Case& data, const Preflight& found);
 
 /// Throws what a run would throw later on. InputError: a point or a station of a line lies on no
-/// plate (the first is named), a region is none of the mesh, or there are fewer modes than three a
-/// plate or more than half the unknowns. MeshError: the plate's own mesh leaves out a node of the
-/// fluid's.
+/// plate (the first is named), or there are fewer modes than three a plate or more than half the
+/// unknowns. MeshError: the plate's own mesh leaves out a node of the fluid's.
 void require_fit(const Case& data, const mesh::Q8Mesh& mesh,
                  const mesh::Q8Mesh* plate_mesh = nullptr);
 

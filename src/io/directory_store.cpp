@@ -28,21 +28,21 @@ namespace floe::io {
 namespace {
 
 nlohmann::ordered_json manifest_json(const Case& data, const std::string& mesh_hash,
-                                     const std::string& group_hash) {
+                                     const std::string& region_hash) {
   nlohmann::ordered_json manifest = {{"program", "floe"},
                                      {"version", FLOE_VERSION},
                                      {"mesh_hash", mesh_hash},
                                      {"options", case_json(data)},
                                      {"case_text", data.text}};
-  if (!group_hash.empty()) manifest["group_hash"] = group_hash;
+  if (!region_hash.empty()) manifest["region_hash"] = region_hash;
   return manifest;
 }
 
-// Of the mesh whose groups the plate's regions are; empty without regions
-std::string hash_of_regions(const Case& data, const mesh::Q8Mesh& fluid) {
-  if (data.regions.empty()) return "";
-  if (data.plate_mesh.empty()) return mesh::group_hash(fluid);
-  return mesh::group_hash(load_mesh(data.plate_mesh.front()).mesh);
+// The regions of the plate once more from its mesh; uniform plates need none
+plate::PlateRegions regions_of(const Case& data) {
+  if (data.regions.empty()) return data.plate;
+  const mesh::MeshFile file = load_mesh(plate_source(data));
+  return plate_regions(data, file.mesh.element_count(), file.groups);
 }
 
 void make_folder(const std::filesystem::path& folder) {
@@ -95,7 +95,7 @@ class DirectoryStore::Impl {
   std::optional<ResultTables> tables_;
   std::vector<PvdEntry> fields_;
   std::vector<SeaResult> seas_;
-  std::string group_hash_;     // of the plate's regions
+  std::string region_hash_;    // which elements are of which; empty for a uniform plate
   std::size_t transfers_ = 0;  // stored so far
 };
 
@@ -107,14 +107,16 @@ void DirectoryStore::Impl::begin(const Case& given, const mesh::Q8Mesh& given_me
   // Describe the run
   account.status = "running";
   account.mesh_hash = mesh::mesh_hash(given_mesh);
-  group_hash_ = hash_of_regions(given, given_mesh);
+  const plate::PlateRegions regions = regions_of(given);
+  if (regions.count() > 1) region_hash_ = mesh::hash_of(regions.of_element());
   account.nodes = given_mesh.node_count();
   account.elements = given_mesh.element_count();
   account.pieces = given_mesh.piece_count();
   account.area = given_mesh.area();
   account.threads = omp_get_max_threads();
   account.plan = plan;
-  account.warnings = preflight(given, given_mesh).warnings;
+  account.warnings =
+      preflight(given, given_mesh, nullptr, given.plate_mesh.empty() ? &regions : nullptr).warnings;
   account.files = product_names();
   if (!data_.title.empty()) remarks_.push_back(data_.title);
   for (const std::string& warning : account.warnings) remarks_.push_back("warning: " + warning);
@@ -146,7 +148,7 @@ void DirectoryStore::Impl::require_same_case() const {
   const StoredRun earlier(directory.path());
   // NOTE: through text, as the other was
   nlohmann::ordered_json mine =
-      nlohmann::ordered_json::parse(manifest_json(data_, account.mesh_hash, group_hash_).dump());
+      nlohmann::ordered_json::parse(manifest_json(data_, account.mesh_hash, region_hash_).dump());
   nlohmann::ordered_json theirs = nlohmann::ordered_json::parse(earlier.manifest_text());
   for (nlohmann::ordered_json* manifest : {&mine, &theirs}) {
     manifest->erase("case_text");
@@ -188,7 +190,7 @@ bool DirectoryStore::Impl::knows_all_transfers(const SeaGridReport& grid) {
 }
 
 void DirectoryStore::Impl::write_manifest() const {
-  const nlohmann::ordered_json manifest = manifest_json(data_, account.mesh_hash, group_hash_);
+  const nlohmann::ordered_json manifest = manifest_json(data_, account.mesh_hash, region_hash_);
   write_file(file(kManifest),
              manifest.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }

@@ -137,8 +137,8 @@ MeshFile make_mesh_file(const FileContent& content, const std::string& file_name
     Quads quads = gather_quads(content);
     if (quads.raised > 0) raise_to_eight_nodes(quads);
     std::vector<std::string> notices = make_notices(content, quads);
-    return {Q8Mesh(plane_nodes(quads.nodes), std::move(quads.elements), content.groups),
-            std::move(notices)};
+    return {Q8Mesh(plane_nodes(quads.nodes), std::move(quads.elements)), std::move(notices),
+            content.groups};
   } catch (const MeshError& error) {
     throw MeshError(file_name + ": " + error.what());
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <floe/mesh/q8_mesh.hpp>
+#include <floe/mesh/mesh_file.hpp>
 
 #include <cstdint>
 #include <map>

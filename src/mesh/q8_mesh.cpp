@@ -10,8 +10,8 @@
 
 namespace floe::mesh {
 
-Q8Mesh::Q8Mesh(Points2 nodes, Connectivity elements, std::vector<ElementGroup> groups)
-    : nodes_(std::move(nodes)), elements_(std::move(elements)), groups_(std::move(groups)) {
+Q8Mesh::Q8Mesh(Points2 nodes, Connectivity elements)
+    : nodes_(std::move(nodes)), elements_(std::move(elements)) {
   // Check each element by itself
   check_arrays(nodes_, elements_);
   nodes_.array() += 0.0;  // -0 becomes 0

@@ -8,10 +8,17 @@
 
 namespace floe::mesh {
 
+/// Elements with a name in common: a physical group of Gmsh.
+struct ElementGroup {
+  std::string name;
+  std::vector<Index> elements;  ///< 0-based, rising
+};
+
 /// A mesh that was read, with what the user should know about the reading.
 struct MeshFile {
   Q8Mesh mesh;
   std::vector<std::string> notices;
+  std::vector<ElementGroup> groups = {};  ///< may overlap and leave elements out
 };
 
 /// Reads a mesh of quadrilaterals, Gmsh or VTU; the content tells which, not the name.

@@ -3,6 +3,7 @@
 #include <floe/mesh/q8_mesh.hpp>
 
 #include <string>
+#include <vector>
 
 namespace floe::mesh {
 
@@ -11,7 +12,7 @@ namespace floe::mesh {
 /// equal hashes; the last bit of a coordinate changes it.
 std::string mesh_hash(const Q8Mesh& mesh);
 
-/// The same over the names and elements of its groups.
-std::string group_hash(const Q8Mesh& mesh);
+/// The same of whole numbers, one an element.
+std::string hash_of(const std::vector<int>& of_element);
 
 }  // namespace floe::mesh

@@ -10,12 +10,6 @@ namespace floe::mesh {
 /// Node indices of each element, one element a column, order as in shape_functions.hpp.
 using Connectivity = Eigen::Matrix<Index, 8, Eigen::Dynamic>;
 
-/// Elements with a name in common: a physical group of a mesh file.
-struct ElementGroup {
-  std::string name;
-  std::vector<Index> elements;  ///< 0-based, rising
-};
-
 /// A plane mesh of 8-node quadrilaterals on z = 0: validated, oriented counter-clockwise,
 /// immutable. Several separate pieces (connected components) are allowed.
 class Q8Mesh {
@@ -29,7 +23,7 @@ class Q8Mesh {
   /// element stands twice or elements overlap; an edge is shared by more than two elements or with
   /// another mid-side node; a node lies on an edge of an element that does not own it (T-junction,
   /// unmerged pieces); pieces share a node but no edge. Takes about half a microsecond a node.
-  Q8Mesh(Points2 nodes, Connectivity elements, std::vector<ElementGroup> groups = {});
+  Q8Mesh(Points2 nodes, Connectivity elements);
 
   Index node_count() const { return nodes_.cols(); }
   Index element_count() const { return elements_.cols(); }
@@ -53,9 +47,6 @@ class Q8Mesh {
 
   Index reoriented_count() const { return reoriented_count_; }
 
-  /// What the mesh's maker called some of the elements; they may overlap and leave elements out.
-  const std::vector<ElementGroup>& groups() const { return groups_; }
-
  private:
   Points2 nodes_;
   Connectivity elements_;
@@ -66,7 +57,6 @@ class Q8Mesh {
   std::vector<int> element_piece_;
   std::vector<int> node_piece_;
   Index reoriented_count_ = 0;
-  std::vector<ElementGroup> groups_;
 };
 
 }  // namespace floe::mesh

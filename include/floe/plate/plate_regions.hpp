@@ -23,6 +23,8 @@ class PlateRegions {
   /// The region of an element, and its properties.
   int region(Index element) const { return of_element_.empty() ? 0 : of_element_[element]; }
   const PlateProperties& of(Index element) const { return properties_[region(element)]; }
+  /// The region of every element; empty where all are of one.
+  const std::vector<int>& of_element() const { return of_element_; }
   double loss_factor() const { return properties_.front().loss_factor; }
 
   /// The same for a mesh of these elements alone, in their order.
