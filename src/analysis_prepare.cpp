@@ -60,6 +60,14 @@ mesh::MeshFile load_told(const MeshSource& source, Log& log) {
   return file;
 }
 
+plate::DryModes compute_modes(const Case& data, const mesh::Q8Mesh& mesh,
+                              const plate::PlateRegions& regions) {
+  if (!data.structure) return plate::dry_modes(mesh, regions, {.count = data.mode_count});
+  if (data.structure->has_modes())
+    return plate::dry_modes(mesh, data.structure->modes, data.mode_count);
+  return plate::dry_modes(mesh, data.structure->matrices, {.count = data.mode_count});
+}
+
 bool wants_section_forces(const Case& data) {
   return std::any_of(data.quantities.begin(), data.quantities.end(), response::is_section_force);
 }
@@ -106,8 +114,7 @@ PlateModel prepare_plate(const Case& data, const Meshes& meshes,
       response::interpolation_to(mesh, positions_of(data.points), names_of(data.points));
   const SparseMatrix at_lines = interpolation_to_lines(mesh, data.lines);
   const plate::PlateRegions& regions = meshes.regions;
-  plate::DryModes modes =
-      known ? std::move(*known) : plate::dry_modes(mesh, regions, {.count = data.mode_count});
+  plate::DryModes modes = known ? std::move(*known) : compute_modes(data, mesh, regions);
   plate::DryModes fluid_modes =
       meshes.own_plate ? plate::interpolate_modes(modes, mesh, meshes.fluid) : modes;
   const std::vector<Index> elements =

@@ -118,6 +118,14 @@ void require_modes(const Case& data, const mesh::Q8Mesh& mesh) {
                                << " for this mesh: three a plate, at most half the unknowns)");
 }
 
+void require_structure(const Case& data, const mesh::Q8Mesh& mesh) {
+  if (!data.structure) return;
+  if (data.structure->has_modes())
+    plate::check_modes(mesh, data.structure->modes);
+  else
+    plate::check_matrices(mesh, data.structure->matrices);
+}
+
 void require_cover(const mesh::Q8Mesh& plate, const mesh::Q8Mesh& fluid) {
   const mesh::PointLocator locator(plate);
   for (Index node = 0; node < fluid.node_count(); ++node) {
@@ -136,8 +144,9 @@ Preflight preflight(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Me
   Preflight found;
   found.quality = mesh::measure_quality(mesh);
   const double spacing = 0.5 * found.quality.longest_edge;
-  const std::vector<Part> parts =
-      parts_of(regions ? *regions : plate::PlateRegions(data.plate), mesh, plate_mesh);
+  std::vector<Part> parts;  // NOTE: none of a structure that another program has made
+  if (!data.structure)
+    parts = parts_of(regions ? *regions : plate::PlateRegions(data.plate), mesh, plate_mesh);
   for (const double omega : data.omega) {
     const double wavelength = 2.0 * std::numbers::pi / wave::wavenumber(omega, data.water);
     Resolution resolution;
@@ -176,6 +185,7 @@ void require_fit(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Mesh*
     require_points(data, *plate_mesh);
   }
   require_modes(data, plate_mesh ? *plate_mesh : mesh);
+  require_structure(data, plate_mesh ? *plate_mesh : mesh);
 }
 
 }  // namespace floe

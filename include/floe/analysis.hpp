@@ -6,14 +6,17 @@
 #include <floe/mesh/shapes.hpp>
 #include <floe/numeric/types.hpp>
 #include <floe/plate/dry_modes.hpp>
+#include <floe/plate/given_structure.hpp>
 #include <floe/plate/plate_regions.hpp>
 #include <floe/response/quantity.hpp>
 #include <floe/sea_results.hpp>
 #include <floe/wave/water.hpp>
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -48,6 +51,15 @@ struct PlateRegion {
   plate::PlateProperties properties;  ///< shear correction and loss factor as those of the plate
 };
 
+/// What another program has made of the plate, in place of its thickness and material.
+struct GivenStructure {
+  std::vector<std::pair<std::string, std::filesystem::path>> files;  ///< by their keys
+  std::string hash;                                                  ///< of what they hold
+  plate::PlateMatrices matrices;                                     ///< K and M, or
+  plate::GivenModes modes;                                           ///< modes (then K is empty)
+  bool has_modes() const { return modes.shape.size() > 0; }
+};
+
 /// A wave for which node fields are written.
 struct FieldRequest {
   double omega = 0.0;        ///< one of Case::omega [rad/s]
@@ -66,7 +78,8 @@ struct Case {
   std::string text;  ///< the case file as it was written; empty without one
   wave::Water water;
   plate::PlateProperties plate;
-  std::vector<PlateRegion> regions;  ///< parts of the plate that differ
+  std::vector<PlateRegion> regions;                 ///< parts of the plate that differ
+  std::shared_ptr<const GivenStructure> structure;  ///< null: a plate by its properties
   MeshSource mesh;
   std::vector<MeshSource> plate_mesh;  ///< empty, or one: a mesh of its own for the plate
   int mode_count = 30;

@@ -176,6 +176,10 @@ Json case_json(const Case& data) {
                 {"density", p.density},
                 {"shear_correction", p.shear_correction},
                 {"loss_factor", p.loss_factor}};
+  if (data.structure) {
+    for (const auto& [key, path] : data.structure->files) plate["structure"][key] = path.string();
+    plate["structure"]["hash"] = data.structure->hash;
+  }
   for (const PlateRegion& region : data.regions)
     plate["region"].push_back({{"name", region.name},
                                {"thickness", region.properties.thickness},

@@ -16,70 +16,6 @@ constexpr int kMostElements = 100'000'000;
 
 constexpr NumberRule kPositive(const char* unit) { return {unit, "must be positive", is_positive}; }
 
-std::vector<std::string> plate_keys() {
-  return {"thickness",        "youngs_modulus", "poisson_ratio", "density",
-          "shear_correction", "loss_factor",    "mesh",          "region"};
-}
-
-// What may differ from region to region
-struct MaterialKey {
-  const char* name;
-  double plate::PlateProperties::*member;
-  NumberRule rule;
-};
-const std::vector<MaterialKey>& material_keys() {
-  using Properties = plate::PlateProperties;
-  static const std::vector<MaterialKey> keys = {
-      {"thickness", &Properties::thickness, kPositive("m")},
-      {"youngs_modulus", &Properties::youngs_modulus, kPositive("N/m²")},
-      {"poisson_ratio",
-       &Properties::poisson_ratio,
-       {"", "must be greater than -1 and less than 0.5",
-        [](double x) { return x > -1.0 && x < 0.5; }}},
-      {"density", &Properties::density, kPositive("kg/m³")}};
-  return keys;
-}
-
-void require_floating(const Section& section, const plate::PlateProperties& properties,
-                      const wave::Water& water) {
-  const toml::node* const given = section.find("density");
-  if (properties.density < water.density) return;
-  section.source().refuse(
-      given ? given->source() : section.place(),
-      fmt::format("invalid {} = {} kg/m³ (must be less than water.density = {} kg/m³, or the plate "
-                  "sinks)",
-                  section.full_name("density"), properties.density, water.density));
-}
-
-// [[plate.region]]: what is not given is that of the plate
-void read_regions(const Section& plate, Case& data) {
-  const toml::node* const node = plate.find("region");
-  if (!node) return;
-  const toml::array* const list = node->as_array();
-  if (!list || list->empty() || !list->is_array_of_tables())
-    plate.source().refuse(node->source(), fmt::format("invalid plate.region = {} (must be tables "
-                                                      "[[plate.region]])",
-                                                      shown(*node)));
-  std::vector<std::string> known = {"name"};
-  for (const MaterialKey& key : material_keys()) known.push_back(key.name);
-  for (std::size_t i = 0; i < list->size(); ++i) {
-    const Section region(*(*list)[i].as_table(), fmt::format("plate.region[{}]", i), plate.source(),
-                         known);
-    region.require("name", "a region needs the name of a group of the mesh's elements");
-    PlateRegion read{region.text_or("name", ""), data.plate};
-    for (const PlateRegion& other : data.regions)
-      if (other.name == read.name)
-        region.source().refuse(
-            region.find("name")->source(),
-            fmt::format("repeated {} = {} (must differ from those of other regions)",
-                        region.full_name("name"), shown(*region.find("name"))));
-    for (const MaterialKey& key : material_keys())
-      read.properties.*key.member = region.number_or(key.name, key.rule, data.plate.*key.member);
-    require_floating(region, read.properties, data.water);
-    data.regions.push_back(std::move(read));
-  }
-}
-
 const std::vector<std::string>& mesh_keys() {
   static const std::vector<std::string> keys = {"rectangle", "disc",    "ring",
                                                 "lshape",    "modules", "file"};
@@ -158,19 +94,6 @@ void read_water(const Section& root, Case& data) {
   data.water.depth = water.number("depth", depth);
   data.water.density = water.number_or("density", kPositive("kg/m³"), data.water.density);
   data.water.gravity = water.number_or("gravity", kPositive("m/s²"), data.water.gravity);
-}
-
-void read_plate(const Section& root, Case& data) {
-  const Section plate = root.table("plate", plate_keys());
-  const NumberRule correction{"", "must be greater than 0 and at most 1",
-                              [](double x) { return x > 0.0 && x <= 1.0; }};
-  const NumberRule loss{"", "must be 0 to 1", [](double x) { return x >= 0.0 && x <= 1.0; }};
-  auto& p = data.plate;
-  for (const MaterialKey& key : material_keys()) p.*key.member = plate.number(key.name, key.rule);
-  p.shear_correction = plate.number_or("shear_correction", correction, p.shear_correction);
-  p.loss_factor = plate.number_or("loss_factor", loss, p.loss_factor);
-  require_floating(plate, p, data.water);
-  read_regions(plate, data);
 }
 
 void read_meshes(const Section& root, const std::filesystem::path& folder, Case& data) {

@@ -52,7 +52,8 @@ Eigen::Matrix3d constant_curvature_energy(const Piece& piece, const PlateRegions
 // constant curvature with rotations that leave no shear, the kinetic energy from M with the rigid
 // part taken out
 double estimate_first_eigenvalue(const Piece& piece, const AreaMoments& area,
-                                 const PlateRegions& regions, const NodeMass& mass,
+                                 const PlateMatrices& plate,
+                                 const std::optional<Eigen::Matrix3d>& energy, const NodeMass& mass,
                                  const MatXd& rigid_basis) {
   MatXd bent(mass.size(), 3);
   for (Index n = 0; n < piece.nodes.cols(); ++n) {
@@ -64,8 +65,10 @@ double estimate_first_eigenvalue(const Piece& piece, const AreaMoments& area,
   }
   subtract_combination(rigid_basis, inner_products(rigid_basis, mass * bent), bent);
   const MatXd kinetic = inner_products(bent, mass * bent);
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatXd> ritz(
-      MatXd(constant_curvature_energy(piece, regions)), kinetic, Eigen::EigenvaluesOnly);
+  const MatXd strain =
+      energy ? MatXd(*energy) : inner_products(bent, multiply_symmetric(plate.stiffness, bent));
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatXd> ritz(strain, kinetic,
+                                                             Eigen::EigenvaluesOnly);
   return ritz.eigenvalues()[0];
 }
 
@@ -87,9 +90,19 @@ bool is_small(Index unknowns, Index elastic_count) {
 
 PieceModes piece_modes(const Piece& piece, const PlateRegions& regions,
                        const DryModeOptions& options) {
-  PieceModes modes;
   Stopwatch watch;
   const PlateMatrices plate = assemble(piece.nodes, piece.elements, regions);
+  const double seconds = watch.lap();
+  PieceModes modes = piece_modes(piece, plate, constant_curvature_energy(piece, regions), options);
+  modes.report.assembly_seconds += seconds;
+  return modes;
+}
+
+PieceModes piece_modes(const Piece& piece, const PlateMatrices& plate,
+                       const std::optional<Eigen::Matrix3d>& curvature_energy,
+                       const DryModeOptions& options) {
+  PieceModes modes;
+  Stopwatch watch;
   const NodeMass mass(plate.mass);
   modes.report.assembly_seconds = watch.lap();
 
@@ -103,7 +116,9 @@ PieceModes piece_modes(const Piece& piece, const PlateRegions& regions,
     modes.elastic.resize(mass.size(), 0);
     return modes;
   }
-  const double shift = estimate_first_eigenvalue(piece, area, regions, mass, rigid_basis);
+  const double shift =
+      estimate_first_eigenvalue(piece, area, plate, curvature_energy, mass, rigid_basis);
+  modes.bent_eigenvalue = shift;
 
   // Find the elastic ones
   Eigenpairs pairs;
