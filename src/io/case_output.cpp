@@ -1,6 +1,7 @@
 #include "io/case_sections.hpp"
 
 #include <floe/io/case_file.hpp>
+#include <floe/response/modal_basis.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
