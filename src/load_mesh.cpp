@@ -5,17 +5,9 @@
 namespace floe {
 namespace {
 
-mesh::MeshFile make(const mesh::RectangleOptions& shape) {
-  return {mesh::make_rectangle(shape), {}};
-}
-mesh::MeshFile make(const mesh::DiscOptions& shape) { return {mesh::make_disc(shape), {}}; }
-mesh::MeshFile make(const mesh::RingOptions& shape) { return {mesh::make_ring(shape), {}}; }
-mesh::MeshFile make(const mesh::LShapeOptions& shape) { return {mesh::make_l_shape(shape), {}}; }
-mesh::MeshFile make(const mesh::ModuleArrayOptions& shape) {
-  return {mesh::make_module_array(shape), {}};
-}
+mesh::MeshFile load(const mesh::Shape& shape) { return {mesh::make_shape(shape), {}}; }
 
-mesh::MeshFile make(const std::filesystem::path& path) {
+mesh::MeshFile load(const std::filesystem::path& path) {
   mesh::MeshFile file = mesh::read_mesh(path);
   if (file.mesh.reoriented_count() > 0)
     file.notices.push_back(
@@ -26,7 +18,7 @@ mesh::MeshFile make(const std::filesystem::path& path) {
 }  // namespace
 
 mesh::MeshFile load_mesh(const MeshSource& source) {
-  return std::visit([](const auto& given) { return make(given); }, source);
+  return std::visit([](const auto& given) { return load(given); }, source);
 }
 
 }  // namespace floe

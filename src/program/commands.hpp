@@ -2,6 +2,8 @@
 
 #include "program/account.hpp"
 
+#include <floe/mesh/shapes.hpp>
+
 #include <filesystem>
 
 /// The commands of the program, one function each. They throw; `run_command_line` turns what they
@@ -45,7 +47,7 @@ struct ReportOptions {
 void make_report(const ReportOptions& options);
 
 struct MeshOptions {
-  MeshSource shape;
+  mesh::Shape shape;
   std::filesystem::path output;
 };
 

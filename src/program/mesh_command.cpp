@@ -12,7 +12,7 @@ namespace floe::program {
 void make_mesh(const MeshOptions& options) {
   const mesh::Q8Mesh mesh = [&] {
     try {
-      return load_mesh(options.shape).mesh;
+      return mesh::make_shape(options.shape);
     } catch (const MeshError&) {
       throw;
     } catch (const InputError& error) {

@@ -172,31 +172,26 @@ TEST(ModuleArray, TakesAGapThatFitsNoElements) {
   EXPECT_FALSE(bem::find_element_lattice(mesh));
 }
 
-template <typename Shape>
-void expect_refusals(const Shape& good) {
-  EXPECT_NO_THROW(make(good));
-  const ShapeKeys<Shape> keys = shape_keys(good);
+template <typename Options>
+void expect_refusals(const Options& good) {
+  EXPECT_NO_THROW(make_shape(good));
+  const ShapeKeys<Options> keys = shape_keys(good);
   for (const auto& length : keys.lengths)
     for (const double bad : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(),
                              std::numeric_limits<double>::infinity()}) {
-      Shape shape = good;
+      Options shape = good;
       shape.*length.member = bad;
-      EXPECT_THROW(make(shape), InputError) << keys.name << " " << length.key << " " << bad;
+      EXPECT_THROW(make_shape(shape), InputError) << keys.name << " " << length.key << " " << bad;
     }
   for (const auto& count : keys.counts) {
-    Shape shape = good;
+    Options shape = good;
     shape.*count.member = 0;
-    EXPECT_THROW(make(shape), InputError) << keys.name << " " << count.key;
+    EXPECT_THROW(make_shape(shape), InputError) << keys.name << " " << count.key;
   }
-  Shape shape = good;
+  Options shape = good;
   shape.element_size = 1e-9;
-  EXPECT_THROW(make(shape), InputError) << keys.name;
+  EXPECT_THROW(make_shape(shape), InputError) << keys.name;
 }
-Q8Mesh make(const DiscOptions& shape) { return make_disc(shape); }
-Q8Mesh make(const RingOptions& shape) { return make_ring(shape); }
-Q8Mesh make(const LShapeOptions& shape) { return make_l_shape(shape); }
-Q8Mesh make(const ModuleArrayOptions& shape) { return make_module_array(shape); }
-
 TEST(Shapes, RefuseSizesAndCountsThatAreNotPositiveAndTooManyElements) {
   expect_refusals(DiscOptions{.radius = 2.0, .element_size = 1.0});
   expect_refusals(RingOptions{.inner_radius = 1.0, .outer_radius = 2.0, .element_size = 1.0});

@@ -26,8 +26,8 @@ struct ShapeExample {
   int pieces;
 };
 
-// Elements and nodes counted by hand: a disc of 12.6 m with arcs of a quarter of the outline cut
-// into 4 has a core of 4 × 4 and 2 layers of 16; a ring of 2π · 10 / 5 = 13 arcs; an L of 12 + 4;
+// Elements and nodes counted by hand: a disc whose quarter arcs of 15.7 m are cut
+// into 4 has a core of 4 × 4 and 2 layers of 16; a ring of 2π · 10 / 5 = 13 arcs; an L of 16 - 4;
 // 6 modules of 4 × 2
 constexpr ShapeExample kExamples[] = {
     {"rectangle --length 20 --width 10 --nx 4 --ny 2",
