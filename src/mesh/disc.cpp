@@ -8,8 +8,8 @@
 namespace floe::mesh {
 namespace {
 
-// Distance of the core's corners from the centre, relative to the radius; among 0.5 … 0.8 it keeps
-// the worst aspect ratio and the jumps between neighbours below 2
+// Distance of the core's corners from the centre, relative to the radius; keeps the worst aspect
+// ratio, and from two layers on the jumps between neighbours, below 2
 constexpr double kCore = 0.65;
 // Half the angle of the core's sides, arcs: makes its corners 120° wide
 constexpr double kHalfAngle = std::numbers::pi / 12.0;

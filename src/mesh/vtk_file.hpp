@@ -2,6 +2,8 @@
 
 #include "mesh/vtk_array.hpp"
 
+#include <floe/numeric/types.hpp>
+
 #include <pugixml.hpp>
 
 #include <cstdint>

@@ -52,7 +52,7 @@ TEST(Disc, HasItsOutlineOnTheCircleAndTheAreaOfItsParabolas) {
 }
 
 TEST(Disc, HasGoodElementsNoLargerThanAsked) {
-  for (const double size : {25.0, 10.0, 3.0, 1.0}) {
+  for (const double size : {20.0, 10.0, 3.0, 1.0}) {
     const MeshQuality quality = measure_quality(make_disc({.radius = 50.0, .element_size = size}));
     EXPECT_LE(quality.longest_edge, size) << size;
     EXPECT_GE(quality.shortest_edge, size / 3.0) << size;
