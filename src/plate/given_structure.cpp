@@ -161,7 +161,8 @@ void check_matrices(const mesh::Q8Mesh& mesh, const PlateMatrices& given) {
   const MatXd force = given.stiffness * motions;
   const MatXd scale = SparseMatrix(given.stiffness.cwiseAbs()) * motions.cwiseAbs();
   for (Index c = 0; c < motions.cols(); ++c) {
-    const double share = force.col(c).cwiseAbs().maxCoeff() / scale.col(c).maxCoeff();
+    const double whole = scale.col(c).maxCoeff();
+    const double share = whole > 0.0 ? force.col(c).cwiseAbs().maxCoeff() / whole : 0.0;
     FLOE_VALIDATE_AS(MeshError, share <= kRigid,
                      "invalid plate.structure.stiffness: it resists the "
                          << kMotions[c % 3] << " of piece " << c / 3 + 1 << " with " << share

@@ -27,6 +27,8 @@ SMALLEST = {
 PROBES = {
     "water": {"water": f"{NONE} = 1"},
     "plate": {"plate": f"{NONE} = 1"},
+    "plate.region": {"plate": f"{SMALLEST['plate']}\n[[plate.region]]\n{NONE} = 1"},
+    "plate.structure": {"plate": f"structure = {{ {NONE} = 1 }}"},
     "mesh": {"mesh": f"{NONE} = 1"},
     "mesh.rectangle": {"mesh": f"rectangle = {{ {NONE} = 1 }}"},
     "mesh.disc": {"mesh": f"disc = {{ {NONE} = 1 }}"},
