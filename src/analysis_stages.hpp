@@ -48,6 +48,7 @@ class StageClock {
 struct Meshes {
   mesh::Q8Mesh fluid;
   std::optional<mesh::Q8Mesh> own_plate;
+  plate::PlateRegions regions;  ///< of the plate's mesh
   const mesh::Q8Mesh& plate() const { return own_plate ? *own_plate : fluid; }
 };
 

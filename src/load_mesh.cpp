@@ -3,15 +3,22 @@
 #include <fmt/format.h>
 
 namespace floe {
+namespace {
 
-mesh::MeshFile load_mesh(const MeshSource& source) {
-  if (const auto* rectangle = std::get_if<mesh::RectangleOptions>(&source))
-    return {mesh::make_rectangle(*rectangle), {}};
-  mesh::MeshFile file = mesh::read_gmsh(std::get<std::filesystem::path>(source));
+mesh::MeshFile load(const mesh::Shape& shape) { return {mesh::make_shape(shape), {}}; }
+
+mesh::MeshFile load(const std::filesystem::path& path) {
+  mesh::MeshFile file = mesh::read_mesh(path);
   if (file.mesh.reoriented_count() > 0)
     file.notices.push_back(
         fmt::format("{} elements were clockwise and were turned", file.mesh.reoriented_count()));
   return file;
+}
+
+}  // namespace
+
+mesh::MeshFile load_mesh(const MeshSource& source) {
+  return std::visit([](const auto& given) { return load(given); }, source);
 }
 
 }  // namespace floe

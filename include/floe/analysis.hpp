@@ -1,26 +1,32 @@
 #pragma once
 
-#include <floe/mesh/gmsh.hpp>
+#include <floe/mesh/mesh_file.hpp>
 #include <floe/mesh/q8_mesh.hpp>
 #include <floe/mesh/rectangle.hpp>
+#include <floe/mesh/shapes.hpp>
 #include <floe/numeric/types.hpp>
 #include <floe/plate/dry_modes.hpp>
-#include <floe/plate/plate_properties.hpp>
+#include <floe/plate/given_structure.hpp>
+#include <floe/plate/plate_regions.hpp>
 #include <floe/response/quantity.hpp>
 #include <floe/sea_results.hpp>
 #include <floe/wave/water.hpp>
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
 /// The whole story: a case goes in, results go to a store, stage by stage.
 namespace floe {
 
-/// Where a mesh comes from: the generator, or a file.
-using MeshSource = std::variant<mesh::RectangleOptions, std::filesystem::path>;
+/// Where a mesh comes from: a shape that floe meshes, or a file.
+using MeshSource =
+    std::variant<mesh::RectangleOptions, mesh::DiscOptions, mesh::RingOptions, mesh::LShapeOptions,
+                 mesh::ModuleArrayOptions, std::filesystem::path>;
 
 /// Makes or reads it, with notices about what was left out or turned.
 mesh::MeshFile load_mesh(const MeshSource& source);
@@ -37,6 +43,21 @@ struct NamedLine {
   Point2 from;
   Point2 to;
   int count = 0;
+};
+
+/// A part of the plate with properties of its own.
+struct PlateRegion {
+  std::string name;                   ///< of a group of elements of the plate's mesh
+  plate::PlateProperties properties;  ///< shear correction and loss factor as those of the plate
+};
+
+/// What another program has made of the plate, in place of its thickness and material.
+struct GivenStructure {
+  std::vector<std::pair<std::string, std::filesystem::path>> files;  ///< by their keys
+  std::string hash;                                                  ///< of what they hold
+  plate::PlateMatrices matrices;                                     ///< K and M, or
+  plate::GivenModes modes;                                           ///< modes (then K is empty)
+  bool has_modes() const { return modes.shape.size() > 0; }
 };
 
 /// A wave for which node fields are written.
@@ -57,6 +78,8 @@ struct Case {
   std::string text;  ///< the case file as it was written; empty without one
   wave::Water water;
   plate::PlateProperties plate;
+  std::vector<PlateRegion> regions;                 ///< parts of the plate that differ
+  std::shared_ptr<const GivenStructure> structure;  ///< null: a plate by its properties
   MeshSource mesh;
   std::vector<MeshSource> plate_mesh;  ///< empty, or one: a mesh of its own for the plate
   int mode_count = 30;
@@ -74,6 +97,14 @@ struct Case {
   bool allow_coarse = false;  ///< go on with fewer than 2 nodes a wavelength
   double memory_limit = 0.0;  ///< [byte]; 0: what the machine and its cgroup allow
 };
+
+/// The mesh of the plate: its own, or else that of the fluid.
+const MeshSource& plate_source(const Case& data);
+
+/// The properties of every element of the plate, from the groups of its mesh. Throws InputError
+/// when a region names none of them, or when an element lies in two regions.
+plate::PlateRegions plate_regions(const Case& data, Index element_count,
+                                  const std::vector<mesh::ElementGroup>& groups);
 
 /// What a frequency's solution is worth.
 struct FrequencyReport {

@@ -96,7 +96,7 @@ CaseFile read_case(const std::filesystem::path& path) {
   file.data.text = content;
   file.data.title = read_title(root);
   read_water(root, file.data);
-  read_plate(root, file.data);
+  read_plate(root, path.parent_path(), file.data);
   read_meshes(root, path.parent_path(), file.data);
   read_modes(root, file.data);
   read_waves(root, file.data);

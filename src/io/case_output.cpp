@@ -1,6 +1,7 @@
 #include "io/case_sections.hpp"
 
 #include <floe/io/case_file.hpp>
+#include <floe/response/modal_basis.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -109,6 +110,18 @@ std::vector<response::Quantity> read_quantities(const Section& output) {
   return quantities;
 }
 
+// Nothing is known of the inside of a structure that another program has made
+void refuse_section_forces(const Section& output,
+                           const std::vector<response::Quantity>& quantities) {
+  for (const response::Quantity quantity : quantities)
+    if (response::is_section_force(quantity))
+      output.source().refuse(
+          output.find("quantities")->source(),
+          fmt::format("invalid {} = {} (must follow from deflections or pressures: plate.structure "
+                      "tells nothing of forces and stresses within the plate)",
+                      output.full_name("quantities"), response::name(quantity)));
+}
+
 // The value of `list` that `value` means, to rounding of a converted number
 double matched(const std::vector<double>& list, double value, double tolerance,
                const toml::node& node, const std::string& name, const char* where,
@@ -168,6 +181,7 @@ void read_output(const Section& root, Case& data) {
   data.lines = read_lines(output);
   data.wave_points = read_points(output, "wave_points");
   if (output.find("quantities")) data.quantities = read_quantities(output);
+  if (data.structure) refuse_section_forces(output, data.quantities);
   if (output.find("fields")) data.fields = read_fields(output, data);
 }
 

@@ -28,12 +28,22 @@ namespace floe::io {
 
 namespace {
 
-nlohmann::ordered_json manifest_json(const Case& data, const std::string& mesh_hash) {
-  return {{"program", "floe"},
-          {"version", FLOE_VERSION},
-          {"mesh_hash", mesh_hash},
-          {"options", case_json(data)},
-          {"case_text", data.text}};
+nlohmann::ordered_json manifest_json(const Case& data, const std::string& mesh_hash,
+                                     const std::string& region_hash) {
+  nlohmann::ordered_json manifest = {{"program", "floe"},
+                                     {"version", FLOE_VERSION},
+                                     {"mesh_hash", mesh_hash},
+                                     {"options", case_json(data)},
+                                     {"case_text", data.text}};
+  if (!region_hash.empty()) manifest["region_hash"] = region_hash;
+  return manifest;
+}
+
+// The regions of the plate once more from its mesh; uniform plates need none
+plate::PlateRegions regions_of(const Case& data) {
+  if (data.regions.empty()) return data.plate;
+  const mesh::MeshFile file = load_mesh(plate_source(data));
+  return plate_regions(data, file.mesh.element_count(), file.groups);
 }
 
 void make_folder(const std::filesystem::path& folder) {
@@ -86,6 +96,7 @@ class DirectoryStore::Impl {
   std::optional<ResultTables> tables_;
   std::vector<PvdEntry> fields_;
   std::vector<SeaResult> seas_;
+  std::string region_hash_;    // which elements are of which; empty for a uniform plate
   std::size_t transfers_ = 0;  // stored so far
 };
 
@@ -97,13 +108,16 @@ void DirectoryStore::Impl::begin(const Case& given, const mesh::Q8Mesh& given_me
   // Describe the run
   account.status = "running";
   account.mesh_hash = mesh::mesh_hash(given_mesh);
+  const plate::PlateRegions regions = regions_of(given);
+  if (regions.count() > 1) region_hash_ = mesh::hash_of(regions.of_element());
   account.nodes = given_mesh.node_count();
   account.elements = given_mesh.element_count();
   account.pieces = given_mesh.piece_count();
   account.area = given_mesh.area();
   account.threads = omp_get_max_threads();
   account.plan = plan;
-  account.warnings = preflight(given, given_mesh).warnings;
+  account.warnings =
+      preflight(given, given_mesh, nullptr, given.plate_mesh.empty() ? &regions : nullptr).warnings;
   account.files = product_names();
   if (!data_.title.empty()) remarks_.push_back(data_.title);
   for (const std::string& warning : account.warnings) remarks_.push_back("warning: " + warning);
@@ -135,7 +149,7 @@ void DirectoryStore::Impl::require_same_case() const {
   const StoredRun earlier(directory.path());
   // NOTE: through text, as the other was
   nlohmann::ordered_json mine =
-      nlohmann::ordered_json::parse(manifest_json(data_, account.mesh_hash).dump());
+      nlohmann::ordered_json::parse(manifest_json(data_, account.mesh_hash, region_hash_).dump());
   nlohmann::ordered_json theirs = nlohmann::ordered_json::parse(earlier.manifest_text());
   for (nlohmann::ordered_json* manifest : {&mine, &theirs}) {
     manifest->erase("case_text");
@@ -177,7 +191,7 @@ bool DirectoryStore::Impl::knows_all_transfers(const SeaGridReport& grid) {
 }
 
 void DirectoryStore::Impl::write_manifest() const {
-  const nlohmann::ordered_json manifest = manifest_json(data_, account.mesh_hash);
+  const nlohmann::ordered_json manifest = manifest_json(data_, account.mesh_hash, region_hash_);
   write_file(file(kManifest),
              manifest.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }

@@ -34,12 +34,26 @@ MatXd orthonormal_basis(const MatXd& columns, const MatXd& modal_mass) {
   return columns * inverse;
 }
 
+// Twice the strain energy of the constant curvatures a, b, c of w = (a x² + 2b xy + c y²)/2,
+// without shear, in closed form: a distorted mesh would make it too large
+Eigen::Matrix3d constant_curvature_energy(const Piece& piece, const PlateRegions& regions) {
+  Eigen::Matrix3d energy = Eigen::Matrix3d::Zero();
+  const std::vector<double> area = region_areas(piece.nodes, piece.elements, regions);
+  for (int region = 0; region < regions.count(); ++region) {
+    const double nu = regions[region].poisson_ratio;
+    Eigen::Matrix3d strain;
+    strain << 1.0, 0.0, nu, 0.0, 2.0 * (1.0 - nu), 0.0, nu, 0.0, 1.0;
+    energy += regions[region].bending_rigidity() * area[region] * strain;
+  }
+  return energy;
+}
+
 // A Rayleigh quotient near the first elastic eigenvalue: the smallest over the deflections of
-// constant curvature w = (a x² + 2b xy + c y²)/2 with rotations that leave no shear, the strain
-// energy in closed form (a distorted mesh would make it too large), the kinetic one from M with
-// the rigid part taken out
+// constant curvature with rotations that leave no shear, the kinetic energy from M with the rigid
+// part taken out
 double estimate_first_eigenvalue(const Piece& piece, const AreaMoments& area,
-                                 const PlateProperties& properties, const NodeMass& mass,
+                                 const PlateMatrices& plate,
+                                 const std::optional<Eigen::Matrix3d>& energy, const NodeMass& mass,
                                  const MatXd& rigid_basis) {
   MatXd bent(mass.size(), 3);
   for (Index n = 0; n < piece.nodes.cols(); ++n) {
@@ -51,11 +65,9 @@ double estimate_first_eigenvalue(const Piece& piece, const AreaMoments& area,
   }
   subtract_combination(rigid_basis, inner_products(rigid_basis, mass * bent), bent);
   const MatXd kinetic = inner_products(bent, mass * bent);
-  const double nu = properties.poisson_ratio;
-  Eigen::Matrix3d strain;
-  strain << 1.0, 0.0, nu, 0.0, 2.0 * (1.0 - nu), 0.0, nu, 0.0, 1.0;
-  strain *= properties.bending_rigidity() * area.area;
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatXd> ritz(MatXd(strain), kinetic,
+  const MatXd strain =
+      energy ? MatXd(*energy) : inner_products(bent, multiply_symmetric(plate.stiffness, bent));
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatXd> ritz(strain, kinetic,
                                                              Eigen::EigenvaluesOnly);
   return ritz.eigenvalues()[0];
 }
@@ -76,11 +88,21 @@ bool is_small(Index unknowns, Index elastic_count) {
 
 }  // namespace
 
-PieceModes piece_modes(const Piece& piece, const PlateProperties& properties,
+PieceModes piece_modes(const Piece& piece, const PlateRegions& regions,
+                       const DryModeOptions& options) {
+  Stopwatch watch;
+  const PlateMatrices plate = assemble(piece.nodes, piece.elements, regions);
+  const double seconds = watch.lap();
+  PieceModes modes = piece_modes(piece, plate, constant_curvature_energy(piece, regions), options);
+  modes.report.assembly_seconds += seconds;
+  return modes;
+}
+
+PieceModes piece_modes(const Piece& piece, const PlateMatrices& plate,
+                       const std::optional<Eigen::Matrix3d>& curvature_energy,
                        const DryModeOptions& options) {
   PieceModes modes;
   Stopwatch watch;
-  const PlateMatrices plate = assemble(piece.nodes, piece.elements, properties);
   const NodeMass mass(plate.mass);
   modes.report.assembly_seconds = watch.lap();
 
@@ -94,7 +116,9 @@ PieceModes piece_modes(const Piece& piece, const PlateProperties& properties,
     modes.elastic.resize(mass.size(), 0);
     return modes;
   }
-  const double shift = estimate_first_eigenvalue(piece, area, properties, mass, rigid_basis);
+  const double shift =
+      estimate_first_eigenvalue(piece, area, plate, curvature_energy, mass, rigid_basis);
+  modes.bent_eigenvalue = shift;
 
   // Find the elastic ones
   Eigenpairs pairs;

@@ -19,9 +19,9 @@ MatXcd solve_complex(const ShiftedFactor& factor, const MatXcd& rhs) {
 
 }  // namespace
 
-StaticCorrection::StaticCorrection(const mesh::Q8Mesh& mesh, const PlateProperties& properties,
+StaticCorrection::StaticCorrection(const mesh::Q8Mesh& mesh, const PlateRegions& regions,
                                    const DryModes& modes)
-    : modes_(modes), loss_factor_(properties.loss_factor) {
+    : modes_(modes), loss_factor_(regions.loss_factor()) {
   // NOTE: the shift only makes K + sM definite; a hundredth of the highest mode's ω² keeps the
   // factor well conditioned and the correction small
   const double highest = modes.omega.maxCoeff();
@@ -29,7 +29,7 @@ StaticCorrection::StaticCorrection(const mesh::Q8Mesh& mesh, const PlateProperti
                                                         << " (must hold an elastic mode for "
                                                            "section forces)");
   shift_ = 0.01 * highest * highest;
-  PlateMatrices plate = assemble_plate(mesh, properties);
+  PlateMatrices plate = assemble_plate(mesh, regions);
   factor_ = std::make_shared<const ShiftedFactor>(plate, shift_);
   mass_ = std::move(plate.mass);
   inertia_ = mass_ * modes.shape;

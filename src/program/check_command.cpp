@@ -86,7 +86,10 @@ void check_case(const RunOptions& options) {
 
   // Tell what was found
   const mesh::Q8Mesh* const own = plate ? &plate->mesh : nullptr;
-  const Preflight found = preflight(data, fluid.mesh, own);
+  const mesh::MeshFile& of_plate = plate ? *plate : fluid;
+  const plate::PlateRegions regions =
+      plate_regions(data, of_plate.mesh.element_count(), of_plate.groups);
+  const Preflight found = preflight(data, fluid.mesh, own, &regions);
   const Estimate needed = estimate(data, fluid.mesh, own, omp_get_max_threads());
   const double budget = numeric::memory_budget(data.memory_limit, numeric::memory_limits());
   tell_mesh("mesh", fluid, found.quality, account);

@@ -60,12 +60,16 @@ class ToldStore final : public Store {
     store_.modes(modes, mesh);
     const std::string elastic =
         modes.count() > modes.rigid_count
-            ? fmt::format(", first elastic {:.4g} rad/s, last {:.4g}, good to {:.1g} or better",
-                          modes.omega[modes.rigid_count], modes.omega.maxCoeff(),
-                          modes.estimated_frequency_error)
+            ? fmt::format(", first elastic {:.4g} rad/s, last {:.4g}",
+                          modes.omega[modes.rigid_count], modes.omega.maxCoeff())
             : "";
-    account_.fact("modes",
-                  fmt::format("{}, {} rigid{}", modes.count(), modes.rigid_count, elastic));
+    // Of modes from elsewhere nothing is known
+    const std::string error =
+        modes.estimated_frequency_error > 0.0
+            ? fmt::format(", good to {:.1g} or better", modes.estimated_frequency_error)
+            : "";
+    account_.fact(
+        "modes", fmt::format("{}, {} rigid{}{}", modes.count(), modes.rigid_count, elastic, error));
     account_.show_warnings();
     stop_if_asked();
   }

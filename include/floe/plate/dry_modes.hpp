@@ -2,7 +2,7 @@
 
 #include <floe/mesh/q8_mesh.hpp>
 #include <floe/numeric/types.hpp>
-#include <floe/plate/plate_properties.hpp>
+#include <floe/plate/plate_regions.hpp>
 
 namespace floe::plate {
 
@@ -47,7 +47,7 @@ struct DryModeOptions {
 /// more than half the unknowns; ConvergenceError (with how many converged) when modes are missing;
 /// BudgetError when memory does not suffice for the factor.
 /// NOTE: sets a threaded OpenBLAS to one thread, and leaves it so.
-DryModes dry_modes(const mesh::Q8Mesh& mesh, const PlateProperties& properties,
+DryModes dry_modes(const mesh::Q8Mesh& mesh, const PlateRegions& regions,
                    const DryModeOptions& options = {});
 
 /// Modes of a coarser plate mesh at the nodes of a finer fluid mesh of the same outline, by the Q8
