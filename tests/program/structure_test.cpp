@@ -5,11 +5,12 @@
 #include <floe/plate/dry_modes.hpp>
 #include <floe/plate/mindlin.hpp>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdio>
+#include <map>
 
 // A plate by regions, and one that another program has made, through the real program
 namespace floe {
@@ -98,7 +99,7 @@ TEST(Regions, OfTheSamePropertiesRunAsTheUniformPlate) {
   EXPECT_EQ(run_floe(folder, "run two.toml --resume").code, 0);
 }
 
-TEST(Regions, ThatDifferChangeTheAnswerAndTheResolution) {
+TEST(Regions, ThatDifferChangeTheAnswer) {
   const TestFolder folder;
   folder.write("halves.msh", halves_msh());
   const auto run = [&](const std::string& name, const std::string& region) {
@@ -112,16 +113,10 @@ TEST(Regions, ThatDifferChangeTheAnswerAndTheResolution) {
   const auto thick = run("c",
                          "[[plate.region]]\nname = \"left\"\nthickness = 4.0\n"
                          "[[plate.region]]\nname = \"right\"\nthickness = 4.0\n");
-  // Rayleigh: the plate of 2 m and 4 m lies between those of 2 m and of 4 m, twice as high
-  EXPECT_GT(stiff[3], 0.9 * uniform[3]);
-  EXPECT_LT(stiff[3], thick[3]);
+  // ω ~ t for a plate that is thin everywhere; half of it makes less of a difference
   EXPECT_NEAR(thick[3] / uniform[3], 2.0, 0.01);
-  // A thin half of 0.02 m has waves of its own that the mesh cannot follow
-  folder.write("d.toml",
-               case_of(kMaterial + "[[plate.region]]\nname = \"left\"\nthickness = 0.02\n",
-                       "file = \"halves.msh\"", kEnd));
-  EXPECT_EQ(run_floe(folder, "check a.toml").code, 0);
-  EXPECT_NE(run_floe(folder, "check d.toml").output, run_floe(folder, "check a.toml").output);
+  EXPECT_GT(stiff[3], 1.01 * uniform[3]);
+  EXPECT_LT(stiff[3], 0.99 * thick[3]);
 }
 
 TEST(Regions, AreRefusedWithThePlaceWhereTheyDoNotFit) {
