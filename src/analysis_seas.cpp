@@ -1,8 +1,5 @@
-#include "analysis_stages.hpp"
-#include "fluid_march.hpp"
+#include "sea_fluid.hpp"
 
-#include <floe/coupling/modal_equation.hpp>
-#include <floe/hydro/surface_integrals.hpp>
 #include <floe/sea_statistics.hpp>
 #include <floe/wave/dispersion.hpp>
 
@@ -26,54 +23,39 @@ int time_derivative(Quantity quantity) {
   return quantity == Quantity::kAcceleration ? 2 : 0;
 }
 
-// What is left out of the section forces at the points, in the order of the quantities
-plate::StaticCorrection::Influence influences(const Case& data, const PlateModel& plate,
-                                              const FluidModel& fluid) {
-  plate::StaticCorrection::Influence all;
-  all.constant.resize(fluid.deflection.rows(), 0);
-  all.slope = all.constant;
-  const auto append = [&](MatXd& to, const MatXd& from) {
-    to.conservativeResize(Eigen::NoChange, to.cols() + from.cols());
-    to.rightCols(from.cols()) = plate.to_fluid.size() > 0 ? MatXd(plate.to_fluid * from) : from;
-  };
-  for (const Quantity quantity : data.quantities) {
-    if (!response::is_section_force(quantity)) continue;
-    const auto own = plate.correction->influence(plate.points.section_force(quantity));
-    append(all.constant, own.constant);
-    append(all.slope, own.slope);
-    all.shift = own.shift;
-  }
-  return all;
-}
-
-// The quantities that follow from the displacement, in rows that observe states at the points
+// All quantities at the points, in rows that observe states
 SeaObservation observe(const Case& data, const PlateModel& plate, const FluidModel& fluid,
-                       Index influence_count, Log& log) {
+                       const SeaFluid& waves) {
   const Index modes = plate.modes.count(), points = static_cast<Index>(data.points.size());
   const MatXcd unit = MatXcd::Identity(modes, modes);
   SeaObservation observed;
-  observed.points.resize(0, modes + influence_count);
-  Index influence = modes;
+  observed.points =
+      MatXd::Zero(points * static_cast<Index>(data.quantities.size()), waves.state_size());
+  Index section_force = waves.first_section_force();
   for (std::size_t q = 0; q < data.quantities.size(); ++q) {
     const Quantity quantity = data.quantities[q];
-    if (!response::is_structural(quantity)) {
-      log.notice(fmt::format("{} is left out of the statistics of seas", response::name(quantity)));
-      continue;
-    }
     const int derivative = time_derivative(quantity);
-    MatXd rows = MatXd::Zero(points, observed.points.cols());
-    rows.leftCols(modes) =
-        plate.points.evaluate(derivative > 0 ? Quantity::kDeflection : quantity, 1.0, unit).real();
+    auto rows = observed.points.middleRows(static_cast<Index>(q) * points, points);
+    if (response::is_structural(quantity))
+      rows.leftCols(modes) =
+          plate.points.evaluate(derivative > 0 ? Quantity::kDeflection : quantity, 1.0, unit)
+              .real();
+    else
+      rows.middleCols(waves.first_pressure(), points)
+          .diagonal()
+          .setConstant(quantity == Quantity::kPressure
+                           ? 1.0
+                           : 1.0 / (data.water.density * data.water.gravity));
     if (response::is_section_force(quantity)) {
-      rows.middleCols(influence, points).setIdentity();
-      influence += points;
-      // NOTE: only magnitudes matter: of the factor 1 - iη its modulus
+      rows.middleCols(section_force, points).setIdentity();
+      section_force += points;
+      // NOTE: of the factor 1 - iη the modulus; the phase stands beside it
       rows *= std::hypot(1.0, data.plate.loss_factor);
     }
-    observed.points.conservativeResize(observed.points.rows() + points, Eigen::NoChange);
-    observed.points.bottomRows(points) = rows;
     observed.quantity.push_back(q);
     observed.derivative.push_back(derivative);
+    observed.phase.push_back(
+        response::is_section_force(quantity) ? -std::atan(data.plate.loss_factor) : 0.0);
   }
   observed.lines = plate.lines.evaluate(Quantity::kDeflection, 1.0, unit).real();
   observed.nodes = fluid.deflection;
@@ -111,46 +93,12 @@ std::vector<double> fine_frequencies(const Case& data, const SeaBand& band, doub
   return grid_of(count / 2);
 }
 
-FluidSample solve_sample(const Case& data, const FluidModel& fluid,
-                         const plate::StaticCorrection::Influence& influence, double omega) {
-  const double nu = wave::deep_wavenumber(omega, data.water);
-  const green::GreenTable green(green::GreenFunction(nu, data.water.depth), fluid.reach);
-  const auto pressure_operator = make_operator(data, fluid, green);
-  MatXd deflection(fluid.deflection.rows(), fluid.deflection.cols() + influence.constant.cols());
-  deflection << fluid.deflection, influence.at(omega);
-  hydro::Radiation radiation =
-      hydro::solve_radiation(*pressure_operator, deflection, fluid.surface_mass, omega, data.water,
-                             residual_limit(data, fluid));
-  return {omega, std::move(radiation.pressure), std::move(radiation.fluid_matrix)};
-}
-
-// States of the waves from all directions, from what is known of the fluid; `pressure` is that of
-// the sample, times the amplitude of the waves where it is not 1 everywhere
-MatXcd states(const Case& data, const PlateModel& plate, const FluidModel& fluid,
-              const FluidSample& sample, const MatXcd& pressure, int headings) {
-  const Index modes = plate.modes.count(), others = sample.pressure.cols() - modes;
-  const MatXcd force = -hydro::full_circle_transform(
-      fluid.integrals.mesh(), wave::wavenumber(sample.omega, data.water), headings, pressure);
-  MatXcd state(modes + others, headings);
-  state.topRows(modes) = coupling::modal_amplitudes(
-      plate.modes, data.plate.loss_factor, sample.omega,
-      sample.fluid_matrix.topLeftCorner(modes, modes), force.topRows(modes));
-  // What the modes leave out (E.12); it has no loss, which the observing rows put in
-  state.bottomRows(others) =
-      (force.bottomRows(others) +
-       sample.fluid_matrix.bottomLeftCorner(others, modes) * state.topRows(modes)) /
-      Complex(1.0, -data.plate.loss_factor);
-  return state;
-}
-
 // The states of one frequency: of waves of one metre everywhere, and of those of each zone (E.25)
-SeaTransfer transfer_of(const Case& data, const PlateModel& plate, const FluidModel& fluid,
-                        const FluidSample& sample, int headings, const MatXd& zone_amplitudes) {
-  SeaTransfer transfer{sample.omega, states(data, plate, fluid, sample, sample.pressure, headings)};
+SeaTransfer transfer_of(const SeaFluid& waves, const FluidSample& sample, int headings,
+                        const MatXd& zone_amplitudes) {
+  SeaTransfer transfer{sample.omega, waves.states(sample, headings)};
   for (Index z = 0; z < zone_amplitudes.cols(); ++z)
-    transfer.zone_states.push_back(
-        states(data, plate, fluid, sample,
-               zone_amplitudes.col(z).cast<Complex>().asDiagonal() * sample.pressure, headings));
+    transfer.zone_states.push_back(waves.states(sample, headings, zone_amplitudes.col(z)));
   return transfer;
 }
 
@@ -159,18 +107,16 @@ SeaTransfer transfer_of(const Case& data, const PlateModel& plate, const FluidMo
 // in needs no accuracy
 class ResponseDifference {
  public:
-  ResponseDifference(const Case& data, const PlateModel& plate, const FluidModel& fluid,
-                     const SeaObservation& observed)
+  ResponseDifference(const Case& data, const SeaFluid& waves, const SeaObservation& observed)
       : data_(data),
-        plate_(plate),
-        fluid_(fluid),
+        waves_(waves),
         observed_(observed),
         largest_(observed.quantity.size() + 1, 0.0) {}
 
   double operator()(const FluidSample& a, const FluidSample& b) {
-    const MatXcd one = states(data_, plate_, fluid_, a, a.pressure, kProbeHeadings);
-    const MatXcd other = states(data_, plate_, fluid_, b, b.pressure, kProbeHeadings);
-    const Index modes = plate_.modes.count(), points = static_cast<Index>(data_.points.size());
+    const MatXcd one = waves_.states(a, kProbeHeadings);
+    const MatXcd other = waves_.states(b, kProbeHeadings);
+    const Index modes = observed_.nodes.cols(), points = static_cast<Index>(data_.points.size());
     const double wave = std::sqrt(density(a.omega));
     double worst = compare(0, wave, one.topRows(modes), other.topRows(modes));
     if (points == 0) return worst;
@@ -200,11 +146,22 @@ class ResponseDifference {
   }
 
   const Case& data_;  // borrowed, as all
-  const PlateModel& plate_;
-  const FluidModel& fluid_;
+  const SeaFluid& waves_;
   const SeaObservation& observed_;
   std::vector<double> largest_;
 };
+
+}  // namespace
+
+namespace {
+
+// Hands the spectra of all nodes at one frequency to the store, if they are wanted
+NodeSpectrumSink sink_of(const Case& data, std::size_t frequency, Store& store) {
+  if (!data.node_spectra) return {};
+  return [&store, frequency](std::size_t result, const VecXd& spectrum) {
+    store.node_spectrum(result, frequency, spectrum);
+  };
+}
 
 }  // namespace
 
@@ -213,48 +170,47 @@ void solve_seas(const Case& data, const SeaBand& band, const PlateModel& plate,
   // Prepare what is observed, from where and at which frequencies
   const mesh::Q8Mesh& mesh = fluid.integrals.mesh();
   const double length = std::max(kReferenceLength / 10.0, mesh.size());
-  const plate::StaticCorrection::Influence influence =
-      clock.time("seas: influences", [&] { return influences(data, plate, fluid); });
-  const SeaObservation observation = observe(data, plate, fluid, influence.constant.cols(), log);
+  SeaFluid waves = clock.time("seas: influences", [&] { return SeaFluid(data, plate, fluid); });
+  const SeaObservation observation = observe(data, plate, fluid, waves);
   const MatXd zones = all_zone_amplitudes(data.seas, mesh);
   SeaGridReport grid{fine_frequencies(data, band, length), circle_headings(data, mesh, band.to)};
-  SeaStatistics statistics(data.seas, observation, grid.omega, grid.headings);
+  SeaStatistics statistics(data.seas, observation, grid.omega, grid.headings, data.relations);
   store.begin_seas(observation, grid);
 
   // Solve as few frequencies as the tolerance needs, tell the fluid in between
   FluidMarch march(
       band.from, band.to, kFirstStep * kReferenceLength / length, data.sea_grid.tolerance,
       [&](double omega) {
-        return clock.time("seas: radiation",
-                          [&] { return solve_sample(data, fluid, influence, omega); });
+        return clock.time("seas: radiation", [&] { return waves.solve(omega); });
       },
-      ResponseDifference(data, plate, fluid, observation));
+      ResponseDifference(data, waves, observation));
   for (std::size_t i = 0; i < grid.omega.size(); ++i) {
     log.progress(static_cast<double>(i) / static_cast<double>(grid.omega.size()),
                  fmt::format("seas, {:.3f} rad/s", grid.omega[i]));
     const FluidSample sample = march.at(grid.omega[i]);
     clock.time("seas: response", [&] {
-      const SeaTransfer transfer = transfer_of(data, plate, fluid, sample, grid.headings, zones);
+      const SeaTransfer transfer = transfer_of(waves, sample, grid.headings, zones);
       store.sea_transfer(transfer);
-      statistics.add(transfer);
+      statistics.add(transfer, sink_of(data, i, store));
     });
   }
 
   // Tell the statistics, and how they came about
   grid.interpolation_error = march.largest_error();
   grid.solved_frequencies = march.solved();
+  grid.pressure_error = waves.pressure_error();
   for (const SeaResult& result : statistics.results()) store.sea(result);
   store.end_seas(grid);
 }
 
 void repeat_seas(const Case& data, const SeaGridReport& grid, Store& store) {
   const SeaObservation observation = store.known_observation();
-  SeaStatistics statistics(data.seas, observation, grid.omega, grid.headings);
+  SeaStatistics statistics(data.seas, observation, grid.omega, grid.headings, data.relations);
   store.begin_seas(observation, grid);
   for (std::size_t i = 0; i < grid.omega.size(); ++i) {
     const SeaTransfer transfer = store.known_transfer(i);
     store.sea_transfer(transfer);
-    statistics.add(transfer);
+    statistics.add(transfer, sink_of(data, i, store));
   }
   for (const SeaResult& result : statistics.results()) store.sea(result);
   store.end_seas(grid);

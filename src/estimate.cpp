@@ -31,7 +31,7 @@ constexpr double kSeaHeadings = 32.0;  // whose wave loads a thread holds
 
 struct Sizes {
   double nodes, elements, plate_nodes, modes, headings, frequencies, outputs;
-  double influences;  // section forces at points, each a column of the seas' radiation problem
+  double influences;  // section forces and pressures at points, columns of the seas' radiation
 };
 
 Sizes sizes_of(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Mesh& plate_mesh) {
@@ -48,8 +48,11 @@ Sizes sizes_of(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Mesh& p
           .outputs = stations,
           .influences =
               static_cast<double>(data.points.size()) *
-              static_cast<double>(std::count_if(data.quantities.begin(), data.quantities.end(),
-                                                response::is_section_force))};
+              (static_cast<double>(std::count_if(data.quantities.begin(), data.quantities.end(),
+                                                 response::is_section_force)) +
+               (std::all_of(data.quantities.begin(), data.quantities.end(), response::is_structural)
+                    ? 0.0
+                    : 1.0))};
 }
 
 // Sparse factor of a plane mesh by nested dissection: n log n entries, n^1.5 operations

@@ -1,3 +1,5 @@
+#include "sea_relations.hpp"
+
 #include <floe/numeric/error.hpp>
 #include <floe/response/wave_directions.hpp>
 #include <floe/sea_statistics.hpp>
@@ -15,13 +17,14 @@ struct SeaStatistics::Sum {
   MatXd coherence_factor;                         // zones × terms (E.24); empty without zones
   std::size_t first_zone;                         // in SeaTransfer::zone_states
   response::PseudoExcitation response;
+  RelationSums relations;
   double waves = 0.0;  // ∫ S dω as the frequencies sum it up
 
   MatXcd pseudo(const wave::SeaState& state, const SeaTransfer& transfer) const;
 };
 
 SeaStatistics::SeaStatistics(const std::vector<wave::SeaState>& seas, SeaObservation observation,
-                             std::vector<double> omega, int headings)
+                             std::vector<double> omega, int headings, const SeaRelations& relations)
     : seas_(seas),
       observation_(std::move(observation)),
       omega_(std::move(omega)),
@@ -31,7 +34,13 @@ SeaStatistics::SeaStatistics(const std::vector<wave::SeaState>& seas, SeaObserva
   for (std::size_t s = 0; s < seas_.size(); ++s) {
     const wave::SeaState& sea = seas_[s];
     for (const double mean : sea.mean_heading_deg) {
-      Sum sum{s, mean, {}, {}, zones, response::PseudoExcitation(observation_.points)};
+      Sum sum{s,
+              mean,
+              {},
+              {},
+              zones,
+              response::PseudoExcitation(observation_.points),
+              RelationSums(relations, observation_)};
       for (const wave::Partition& partition : sea.partitions)
         sum.origins.emplace_back(partition, kDegree * mean, headings);
       if (sea.zones) sum.coherence_factor = wave::coherence_factor(sea.zones->coherence);
@@ -71,15 +80,22 @@ MatXcd SeaStatistics::Sum::pseudo(const wave::SeaState& state, const SeaTransfer
   return all;
 }
 
-void SeaStatistics::add(const SeaTransfer& transfer) {
+void SeaStatistics::add(const SeaTransfer& transfer, const NodeSpectrumSink& sink) {
   for (Sum& sum : sums_) {
     const std::size_t i = sum.response.omega().size();
     FLOE_VALIDATE(
         i < omega_.size() && transfer.omega == omega_[i],
         "invalid frequency = " << transfer.omega << " rad/s (must be that of place " << i << ")");
-    sum.response.add(transfer.omega, weight_[i], sum.pseudo(seas_[sum.sea], transfer));
+    const MatXcd pseudo = sum.pseudo(seas_[sum.sea], transfer);
     for (const response::WaveDirections& origin : sum.origins)
       sum.waves += weight_[i] * origin.energy(transfer.omega);
+    sum.response.add(transfer.omega, weight_[i], pseudo);
+    sum.relations.add(transfer.omega, pseudo);
+    if (!sink) continue;
+    const MatXcd modes = pseudo.topRows(observation_.nodes.cols());
+    sink(static_cast<std::size_t>(&sum - sums_.data()),
+         response::standard_deviation(observation_.nodes, modes.conjugate() * modes.transpose())
+             .cwiseAbs2());
   }
 }
 
@@ -142,6 +158,7 @@ SeaResult SeaStatistics::result_of(const Sum& sum) const {
       result.spreading_sum = origin.spreading_sum();
 
   add_spectra(sum.response.spectra(), result);
+  sum.relations.tell(weight_, result);
 
   // Deflection along lines and everywhere, from the covariances of the modes
   const Index modes = observation_.nodes.cols();

@@ -91,6 +91,8 @@ struct Case {
   std::vector<NamedLine> lines;
   std::vector<NamedPoint> wave_points;
   std::vector<response::Quantity> quantities = {response::Quantity::kDeflection};
+  SeaRelations relations;            ///< of quantities in seas
+  bool node_spectra = false;         ///< of the deflection at all nodes, in every sea
   std::vector<FieldRequest> fields;  ///< empty: the first heading, at most 10 frequencies
   std::vector<wave::SeaState> seas;  ///< any number
   SeaGrid sea_grid;
@@ -192,6 +194,11 @@ class Store {
   virtual void frequency(const FrequencyResult& result) = 0;
   virtual void begin_seas(const SeaObservation&, const SeaGridReport& planned) { (void)planned; }
   virtual void sea_transfer(const SeaTransfer&) {}
+  /// Where Case::node_spectra asks for it, at every frequency: the spectrum of the deflection at
+  /// all nodes [m² s/rad] for one of the results, by its place among them.
+  virtual void node_spectrum(std::size_t result, std::size_t frequency, const VecXd& spectrum) {
+    (void)result, (void)frequency, (void)spectrum;
+  }
   virtual void sea(const SeaResult&) {}
   virtual void end_seas(const SeaGridReport&) {}
   virtual void finish(const std::vector<StageTime>& times) = 0;

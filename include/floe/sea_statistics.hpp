@@ -4,6 +4,7 @@
 #include <floe/response/pseudo_excitation.hpp>
 #include <floe/sea_results.hpp>
 
+#include <functional>
 #include <vector>
 
 namespace floe {
@@ -14,19 +15,24 @@ namespace floe {
 void require_band(const wave::SeaState& sea, double from, double to, const std::string& remedy,
                   Log& log);
 
+/// Takes the spectrum of the deflection at all nodes [m² s/rad], of one frequency and one of the
+/// results, by its place among them.
+using NodeSpectrumSink = std::function<void(std::size_t result, const VecXd& spectrum)>;
+
 /// Statistics of any number of seas while the transfer functions pass by, one frequency at a time:
 /// nothing of them is kept but a few q × q matrices and the spectra at points.
 class SeaStatistics {
  public:
   /// Every mean heading of every sea. `omega` are the frequencies to come, ascending [rad/s];
-  /// `headings` those of a transfer function on the full circle.
+  /// `headings` those of a transfer function on the full circle. `relations` may be empty.
   SeaStatistics(const std::vector<wave::SeaState>& seas, SeaObservation observation,
-                std::vector<double> omega, int headings);
+                std::vector<double> omega, int headings, const SeaRelations& relations = {});
 
   ~SeaStatistics();
 
   /// The frequencies in order, none left out; throws InputError otherwise.
-  void add(const SeaTransfer& transfer);
+  /// With a sink the spectra of all nodes are made and handed on; nothing of them is kept.
+  void add(const SeaTransfer& transfer, const NodeSpectrumSink& sink = {});
 
   /// One result for every sea and mean heading, in the order of the seas.
   std::vector<SeaResult> results() const;

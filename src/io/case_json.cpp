@@ -43,6 +43,25 @@ Json json_of(const std::vector<NamedPoint>& points) {
   return named;
 }
 
+Json json_of(const PointQuantity& of) { return Json::array({of.point, of.quantity}); }
+
+// Points and quantities by their places in the lists beside
+Json relations_json(const SeaRelations& relations) {
+  Json pairs = Json::array(), combinations = Json::array();
+  for (const QuantityPair& pair : relations.pairs)
+    pairs.push_back({json_of(pair.first), json_of(pair.second)});
+  for (const Combination& combination : relations.combinations) {
+    Json terms = Json::array();
+    for (const CombinationTerm& term : combination.terms)
+      terms.push_back({{"of", json_of(term.of)}, {"factor", term.factor}});
+    combinations.push_back(
+        {{"name", combination.name},
+         {"kind", combination.kind == Combination::Kind::kSum ? "sum" : "von_mises"},
+         {"terms", terms}});
+  }
+  return {{"cross_spectra", pairs}, {"combinations", combinations}};
+}
+
 Json output_json(const Case& data) {
   Json lines = Json::object(), quantities = Json::array(), fields = Json::array();
   for (const NamedLine& line : data.lines)
@@ -56,6 +75,8 @@ Json output_json(const Case& data) {
           {"lines", lines},
           {"wave_points", json_of(data.wave_points)},
           {"quantities", quantities},
+          {"relations", relations_json(data.relations)},
+          {"node_spectra", data.node_spectra},
           {"fields", fields}};
 }
 
@@ -110,6 +131,24 @@ std::vector<NamedPoint> points_from(const Json& json) {
   return points;
 }
 
+PointQuantity point_quantity_from(const Json& json) { return {json.at(0), json.at(1)}; }
+
+SeaRelations relations_from(const Json& json) {
+  SeaRelations relations;
+  for (const Json& pair : json.at("cross_spectra"))
+    relations.pairs.push_back({point_quantity_from(pair.at(0)), point_quantity_from(pair.at(1))});
+  for (const Json& own : json.at("combinations")) {
+    Combination combination{
+        own.at("name"),
+        own.at("kind") == "sum" ? Combination::Kind::kSum : Combination::Kind::kVonMises,
+        {}};
+    for (const Json& term : own.at("terms"))
+      combination.terms.push_back({point_quantity_from(term.at("of")), term.at("factor")});
+    relations.combinations.push_back(std::move(combination));
+  }
+  return relations;
+}
+
 void read_output(const Json& output, Case& data) {
   data.points = points_from(output.at("points"));
   data.wave_points = points_from(output.at("wave_points"));
@@ -122,6 +161,8 @@ void read_output(const Json& output, Case& data) {
     FLOE_VALIDATE_AS(StoreError, quantity, "unknown quantity " << name);
     data.quantities.push_back(*quantity);
   }
+  data.relations = relations_from(output.at("relations"));
+  data.node_spectra = output.at("node_spectra");
   for (const Json& field : output.at("fields"))
     data.fields.push_back({field.at("omega"), field.at("heading_deg")});
 }

@@ -28,20 +28,6 @@ bool is_good_name(std::string_view name) {
   });
 }
 
-// Tables of named things, in the order of the file
-const toml::table& named_table(const Section& output, const std::string& key) {
-  static const toml::table none;
-  const toml::node* node = output.find(key);
-  if (!node) return none;
-  if (!node->is_table())
-    output.source().refuse(node->source(),
-                           fmt::format("invalid {} = {} (must be a table {{ name = … }})",
-                                       output.full_name(key), shown(*node)));
-  for (const toml::key* name : keys_in_file_order(*node->as_table()))
-    check_name(name->str(), name->source(), "name in " + output.full_name(key), output.source());
-  return *node->as_table();
-}
-
 std::vector<NamedPoint> read_points(const Section& output, const std::string& key) {
   std::vector<NamedPoint> points;
   const toml::table& table = named_table(output, key);
@@ -173,15 +159,30 @@ void check_name(std::string_view name, const toml::source_region& place, const s
                   fmt::format("invalid {} = {} ({})", what, shown_text(name), kNameRequired));
 }
 
+const toml::table& named_table(const Section& section, const std::string& key) {
+  static const toml::table none;
+  const toml::node* node = section.find(key);
+  if (!node) return none;
+  if (!node->is_table())
+    section.source().refuse(node->source(),
+                            fmt::format("invalid {} = {} (must be a table {{ name = … }})",
+                                        section.full_name(key), shown(*node)));
+  for (const toml::key* name : keys_in_file_order(*node->as_table()))
+    check_name(name->str(), name->source(), "name in " + section.full_name(key), section.source());
+  return *node->as_table();
+}
+
 void read_output(const Section& root, Case& data) {
   if (!root.find("output")) return;
   const Section output =
-      root.table("output", {"points", "lines", "wave_points", "quantities", "fields"});
+      root.table("output", {"points", "lines", "wave_points", "quantities", "cross_spectra",
+                            "combinations", "node_spectra", "fields"});
   data.points = read_points(output, "points");
   data.lines = read_lines(output);
   data.wave_points = read_points(output, "wave_points");
   if (output.find("quantities")) data.quantities = read_quantities(output);
   if (data.structure) refuse_section_forces(output, data.quantities);
+  read_relations(output, data);
   if (output.find("fields")) data.fields = read_fields(output, data);
 }
 

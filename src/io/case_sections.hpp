@@ -20,6 +20,8 @@ void read_modes(const Section& root, Case& data);
 void read_waves(const Section& root, Case& data);  ///< needs the water
 void read_solver(const Section& root, Case& data);
 void read_output(const Section& root, Case& data);  ///< needs the waves
+/// Cross-spectra and combinations in `[output]`; needs its points and quantities.
+void read_relations(const Section& output, Case& data);
 /// `[sea_grid]` and `[[sea]]`; a fault of a sea is a DataError.
 void read_seas(const Section& root, const std::filesystem::path& folder, Case& data);
 /// `[[sea]]` alone; the paths of measured spectra are taken from `folder`.
@@ -32,6 +34,9 @@ std::vector<wave::WaveClimate> read_wave_climates(const Section& root,
 /// Refuses a name that would be special in a table or a spreadsheet.
 void check_name(std::string_view name, const toml::source_region& place, const std::string& what,
                 const CaseSource& source);
+
+/// The table of named things under a key, empty where it is not given; checks the names.
+const toml::table& named_table(const Section& section, const std::string& key);
 
 /// The keys under which waves can be named, and the frequency [rad/s] that a value of one means.
 const std::vector<std::string>& wave_axes();

@@ -1,6 +1,8 @@
 #include "io/case_json.hpp"
+#include "io/node_spectra_file.hpp"
 #include "io/output_directory.hpp"
 #include "io/record_names.hpp"
+#include "io/relation_tables.hpp"
 #include "io/result_records.hpp"
 #include "io/result_tables.hpp"
 #include "io/run_json.hpp"
@@ -68,6 +70,9 @@ class DirectoryStore::Impl {
   void frequency(const FrequencyResult& result);
   void begin_seas(const SeaObservation& observation, const SeaGridReport& planned);
   void sea_transfer(const SeaTransfer& transfer);
+  void node_spectrum(std::size_t result, std::size_t frequency, const VecXd& spectrum) {
+    node_spectra_->put(result, frequency, spectrum);
+  }
   void sea(const SeaResult& result) { seas_.push_back(result); }
   void end_seas(const SeaGridReport& grid);
   void end(const std::string& status);
@@ -96,7 +101,8 @@ class DirectoryStore::Impl {
   std::optional<ResultTables> tables_;
   std::vector<PvdEntry> fields_;
   std::vector<SeaResult> seas_;
-  std::string region_hash_;    // which elements are of which; empty for a uniform plate
+  std::string region_hash_;  // which elements are of which; empty for a uniform plate
+  std::optional<NodeSpectraFile> node_spectra_;
   std::size_t transfers_ = 0;  // stored so far
 };
 
@@ -257,7 +263,10 @@ void DirectoryStore::Impl::begin_seas(const SeaObservation& observation,
   for (std::size_t s = 0, i = 0; s < data_.seas.size(); ++s)
     for (std::size_t m = 0; m < data_.seas[s].mean_heading_deg.size(); ++m, ++i)
       account.files.push_back(numbered_record("sea", i));
+  const bool nodes = data_.node_spectra && !data_.seas.empty();
+  if (nodes) account.files.emplace_back(NodeSpectraFile::kName);
   write_account();
+  if (nodes) node_spectra_.emplace(directory.path(), *mesh_, data_.seas, planned.omega);
   store_record(kObservation, record_of(observation, planned));
 }
 
@@ -274,12 +283,17 @@ void DirectoryStore::Impl::end_seas(const SeaGridReport& grid) {
     warn_of_truncation(sea);
   }
   account.files.insert(account.files.end(), sea_table_names().begin(), sea_table_names().end());
+  for (const std::string& name : relation_table_names(data_.relations))
+    account.files.push_back(name);
   account.files.emplace_back("statistics.vtu");
   write_account();
   for (std::size_t i = 0; i < seas_.size(); ++i)
     record_of(seas_[i]).write(file(numbered_record("sea", i)));
   write_sea_tables(directory.path(), remarks_, data_, seas_);
+  write_relation_tables(directory.path(), remarks_, data_, seas_);
   write_statistics_vtu(file("statistics.vtu"), *mesh_, seas_);
+  if (node_spectra_) node_spectra_->commit();
+  node_spectra_.reset();
 }
 
 void DirectoryStore::Impl::end(const std::string& status) {
@@ -343,6 +357,11 @@ void DirectoryStore::begin_seas(const SeaObservation& observation, const SeaGrid
 }
 
 void DirectoryStore::sea_transfer(const SeaTransfer& transfer) { impl_->sea_transfer(transfer); }
+
+void DirectoryStore::node_spectrum(std::size_t result, std::size_t frequency,
+                                   const VecXd& spectrum) {
+  impl_->node_spectrum(result, frequency, spectrum);
+}
 
 void DirectoryStore::sea(const SeaResult& result) { impl_->sea(result); }
 

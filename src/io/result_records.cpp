@@ -123,6 +123,7 @@ Record record_of(const SeaObservation& observation, const SeaGridReport& grid) {
   Record record;
   record.put("quantity", as_vector(observation.quantity));
   record.put("derivative", as_vector(observation.derivative));
+  record.put("phase", as_vector(observation.phase));
   record.put("points", observation.points);
   record.put("lines", observation.lines);
   record.put("nodes", observation.nodes);
@@ -132,13 +133,17 @@ Record record_of(const SeaObservation& observation, const SeaGridReport& grid) {
 }
 
 SeaObservation observation_from(const Record& record) {
-  return {as_list<std::size_t>(record.real("quantity")), as_list<int>(record.real("derivative")),
-          record.real("points"), record.real("lines"), record.real("nodes")};
+  return {as_list<std::size_t>(record.real("quantity")),
+          as_list<int>(record.real("derivative")),
+          as_list<double>(record.real("phase")),
+          record.real("points"),
+          record.real("lines"),
+          record.real("nodes")};
 }
 
 SeaGridReport sea_grid_from(const Record& record) {
   return {as_list<double>(record.real("omega")), static_cast<int>(record.number("headings")), 0.0,
-          0};
+          0, 0.0};
 }
 
 Record record_of(const SeaGridReport& grid) {
@@ -147,6 +152,7 @@ Record record_of(const SeaGridReport& grid) {
   record.put("headings", static_cast<double>(grid.headings));
   record.put("interpolation_error", grid.interpolation_error);
   record.put("solved_frequencies", static_cast<double>(grid.solved_frequencies));
+  record.put("pressure_error", grid.pressure_error);
   return record;
 }
 
@@ -154,6 +160,7 @@ SeaGridReport finished_grid_from(const Record& record) {
   SeaGridReport grid = sea_grid_from(record);
   grid.interpolation_error = record.number("interpolation_error");
   grid.solved_frequencies = static_cast<int>(record.number("solved_frequencies"));
+  grid.pressure_error = record.number("pressure_error");
   return grid;
 }
 
@@ -182,6 +189,20 @@ Record record_of(const SeaResult& result) {
     record.put("spectra " + std::to_string(q), result.spectra[q]);
     record.put("moments " + std::to_string(q), result.moments[q]);
   }
+  record.put("pairs", static_cast<double>(result.pairs.size()));
+  for (std::size_t p = 0; p < result.pairs.size(); ++p) {
+    record.put("pair " + std::to_string(p), MatXcd(result.pairs[p].spectrum));
+    record.put("covariance " + std::to_string(p),
+               VecXd{{result.pairs[p].covariance, result.pairs[p].correlation}});
+  }
+  record.put("combinations", static_cast<double>(result.combinations.size()));
+  for (std::size_t c = 0; c < result.combinations.size(); ++c) {
+    const CombinationResult& combination = result.combinations[c];
+    record.put("combination " + std::to_string(c), combination.spectrum);
+    VecXd facts(5);
+    facts << combination.moments, combination.most_probable_maximum;
+    record.put("combination moments " + std::to_string(c), facts);
+  }
   record.put("line_deviation", result.line_deviation);
   record.put("node_moments", result.node_moments);
   record.put("facts", VecXd{{result.mean_heading_deg, result.duration, result.significant_height,
@@ -198,6 +219,16 @@ SeaResult sea_from(const Record& record) {
   for (std::size_t q = 0; q < result.quantity.size(); ++q) {
     result.spectra.push_back(record.real("spectra " + std::to_string(q)));
     result.moments.push_back(record.real("moments " + std::to_string(q)));
+  }
+  for (std::size_t p = 0; p < static_cast<std::size_t>(record.number("pairs")); ++p) {
+    const MatXd covariance = record.real("covariance " + std::to_string(p));
+    result.pairs.push_back(
+        {record.complex("pair " + std::to_string(p)), covariance(0), covariance(1)});
+  }
+  for (std::size_t c = 0; c < static_cast<std::size_t>(record.number("combinations")); ++c) {
+    const VecXd facts = record.real("combination moments " + std::to_string(c));
+    result.combinations.push_back(
+        {record.real("combination " + std::to_string(c)), facts.head(4), facts[4]});
   }
   result.line_deviation = record.real("line_deviation");
   result.node_moments = record.real("node_moments");

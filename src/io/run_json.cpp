@@ -42,6 +42,7 @@ Json sea_results_json(const RunAccount& account) {
           {"frequencies", grid.omega.size()},
           {"solved_frequencies", grid.solved_frequencies},
           {"interpolation_error", grid.interpolation_error},
+          {"pressure_error", grid.pressure_error},
           {"headings", grid.headings},
           {"results", seas},
           {"scatter", climates}};

@@ -1,6 +1,7 @@
 #include "io/atomic_file.hpp"
 #include "io/long_term_tables.hpp"
 #include "io/output_directory.hpp"
+#include "io/relation_tables.hpp"
 #include "io/run_json.hpp"
 #include "io/sea_tables.hpp"
 #include "io/vtu.hpp"
@@ -31,6 +32,7 @@ std::vector<std::string> store_statistics(const std::filesystem::path& directory
     account.files.insert(account.files.end(), names.begin(), names.end());
   };
   if (!results.empty()) add_files(sea_table_names());
+  if (!results.empty()) add_files(relation_table_names(data.relations));
   if (!results.empty()) add_files({"statistics.vtu"});
   if (!long_term.empty()) add_files(long_term_table_names());
   add_files({"run.json"});
@@ -43,6 +45,7 @@ std::vector<std::string> store_statistics(const std::filesystem::path& directory
   write_file(output.path() / "run.json", run_json(data, account));
   if (!results.empty()) {
     write_sea_tables(output.path(), remarks, data, results);
+    write_relation_tables(output.path(), remarks, data, results);
     write_statistics_vtu(output.path() / "statistics.vtu", fluid_mesh, results);
   }
   if (!long_term.empty()) write_long_term_tables(output.path(), remarks, data, long_term);

@@ -90,6 +90,10 @@ class ToldStore final : public Store {
     stop_if_asked();
   }
 
+  void node_spectrum(std::size_t result, std::size_t frequency, const VecXd& spectrum) override {
+    store_.node_spectrum(result, frequency, spectrum);
+  }
+
   void sea(const SeaResult& result) override {
     store_.sea(result);
     account_.sea(result);
@@ -101,6 +105,9 @@ class ToldStore final : public Store {
                                       "headings around the circle",
                                       grid.omega.size(), grid.solved_frequencies,
                                       grid.interpolation_error, grid.headings));
+    if (grid.pressure_error > 0.0)
+      account_.fact("pressures", fmt::format("at the points to {:.1g} of the diffraction problem",
+                                             grid.pressure_error));
   }
 
   void finish(const std::vector<StageTime>& times) override { store_.finish(times); }

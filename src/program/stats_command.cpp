@@ -3,6 +3,7 @@
 #include <floe/io/case_file.hpp>
 #include <floe/io/statistics_store.hpp>
 #include <floe/io/stored_run.hpp>
+#include <floe/io/stored_transfers.hpp>
 #include <floe/long_term_statistics.hpp>
 #include <floe/numeric/error.hpp>
 #include <floe/sea_statistics.hpp>
@@ -93,20 +94,19 @@ void tell_statistics(const StatsOptions& options) {
   const io::StoredRun run(options.directory);
   const io::SeaFile file = io::read_sea_file(options.sea_file);
   for (const std::string& notice : file.notices) account.notice(notice);
-  FLOE_VALIDATE_AS(StoreError, run.has_transfers(),
-                   run.directory().string()
-                       << " holds no transfer functions for seas (run the case with a [[sea]], or "
-                          "with sea_grid.omega = { from, to })");
-  const SeaGridReport grid = run.sea_grid();
+  const io::StoredTransfers transfers(run);
+  for (const std::string& warning : transfers.warnings()) log.warning(warning);
+  const SeaGridReport& grid = transfers.grid();
   check_seas(file, grid.omega, log);
 
   // Put the seas on them
-  SeaStatistics statistics(file.seas, run.observation(), grid.omega, grid.headings);
-  LongTermStatistics many_years(file.climates, run.observation(), grid.omega, grid.headings);
+  SeaStatistics statistics(file.seas, transfers.observation(), grid.omega, grid.headings,
+                           run.data().relations);
+  LongTermStatistics many_years(file.climates, transfers.observation(), grid.omega, grid.headings);
   for (std::size_t i = 0; i < grid.omega.size(); ++i) {
     log.progress(static_cast<double>(i) / static_cast<double>(grid.omega.size()),
                  fmt::format("{:.3f} rad/s", grid.omega[i]));
-    const SeaTransfer transfer = run.transfer(i);
+    const SeaTransfer transfer = transfers.transfer(i);
     statistics.add(transfer);
     many_years.add(transfer);
   }

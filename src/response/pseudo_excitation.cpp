@@ -146,14 +146,18 @@ Complex PseudoExcitation::cross_covariance(Index a, Index b) const {
 }
 
 VecXd standard_deviation(const Eigen::Ref<const MatXd>& shape, const MatXcd& covariance) {
-  constexpr Index kRows = 4096;
+  constexpr Index kRows = 256;  // a block and its product stay in a core's cache
   const MatXd real = covariance.real();
   VecXd deviation(shape.rows());
+#pragma omp parallel for schedule(static)
   for (Index first = 0; first < shape.rows(); first += kRows) {
     const Index count = std::min(kRows, shape.rows() - first);
     const auto block = shape.middleRows(first, count);
-    deviation.segment(first, count) =
-        (block * real).cwiseProduct(block).rowwise().sum().cwiseMax(0.0).cwiseSqrt();
+    const MatXd product = block * real;
+    VecXd variance = VecXd::Zero(count);
+    for (Index j = 0; j < product.cols(); ++j)
+      variance += product.col(j).cwiseProduct(block.col(j));
+    deviation.segment(first, count) = variance.cwiseMax(0.0).cwiseSqrt();
   }
   return deviation;
 }

@@ -43,6 +43,7 @@ PROBES = {
     "sea": {"[sea]": f"{NONE} = 1"},
     "output": {"output": f"{NONE} = 1"},
     "output.lines.NAME": {"output": f"lines = {{ NAME = {{ {NONE} = 1 }} }}"},
+    "output.combinations.NAME": {"output": f"combinations = {{ NAME = {{ {NONE} = 1 }} }}"},
     "output.fields": {"output": f"fields = [{{ {NONE} = 1 }}]"},
 }
 

@@ -164,5 +164,57 @@ TEST(CaseSeas, NameTheFaultAndItsPlace) {
   for (const auto& [text, message] : table) EXPECT_THAT(refusal(text), HasSubstr(message)) << text;
 }
 
+const std::string kOutput = R"([output]
+points = { A = [0, 0], B = [10, 0] }
+quantities = ["deflection", "surface_stress_x", "surface_stress_y", "twisting_moment"]
+)";
+
+TEST(CaseRelations, AreReadByTheNamesOfPointsAndQuantities) {
+  const Case data =
+      read_with(kOutput + R"(cross_spectra = [["A", "deflection", "B", "twisting_moment"]]
+combinations = { step = { terms = [["B", "deflection", 1], ["A", "deflection", -1.5]] }, stress = { von_mises = "B" } }
+)");
+  ASSERT_EQ(data.relations.pairs.size(), 1u);
+  EXPECT_EQ(data.relations.pairs[0].first.point, 0u);
+  EXPECT_EQ(data.relations.pairs[0].second.point, 1u);
+  EXPECT_EQ(data.relations.pairs[0].second.quantity, 3u);
+  ASSERT_EQ(data.relations.combinations.size(), 2u);
+  const Combination& step = data.relations.combinations[0];
+  EXPECT_EQ(step.name, "step");
+  EXPECT_EQ(step.kind, Combination::Kind::kSum);
+  EXPECT_EQ(step.terms.at(1).factor, -1.5);
+  const Combination& stress = data.relations.combinations[1];
+  EXPECT_EQ(stress.kind, Combination::Kind::kVonMises);
+  ASSERT_EQ(stress.terms.size(), 3u);
+  EXPECT_EQ(stress.terms[2].of.quantity, 3u);
+  EXPECT_DOUBLE_EQ(stress.terms[2].factor, 6.0 / 4.0);  // 6 / t², t = 2 m
+}
+
+// What a fault says: these are faults of the case, exit code 3
+std::string relation_refusal(const std::string& line) {
+  try {
+    read_with(kOutput + line + "\n");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(CaseRelations, RefuseWhatIsNotThere) {
+  EXPECT_THAT(relation_refusal(R"(cross_spectra = [["A", "deflection", "B", "deflectoin"]])"),
+              HasSubstr("did you mean deflection?"));
+  EXPECT_THAT(relation_refusal(R"(cross_spectra = [["C", "deflection", "B", "deflection"]])"),
+              HasSubstr("must be one of output.points"));
+  EXPECT_THAT(relation_refusal(R"(cross_spectra = [["A", "deflection"]])"),
+              HasSubstr("must be lists"));
+  EXPECT_THAT(relation_refusal(R"(cross_spectra = [["A", "pressure", "B", "deflection"]])"),
+              HasSubstr("must be one of output.quantities"));
+  EXPECT_THAT(relation_refusal(R"(combinations = { x = {} })"), HasSubstr("exactly one of"));
+  EXPECT_THAT(relation_refusal(R"(combinations = { x = { terms = [] } })"),
+              HasSubstr("must hold a term"));
+  EXPECT_THAT(relation_refusal(R"(combinations = { x = { terms = [["A", "deflection", 0]] } })"),
+              HasSubstr("must be finite and not 0"));
+}
+
 }  // namespace
 }  // namespace floe::io

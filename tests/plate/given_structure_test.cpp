@@ -4,6 +4,8 @@
 #include <floe/numeric/error.hpp>
 #include <floe/plate/given_structure.hpp>
 
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -124,8 +124,8 @@ TEST(limit_PlateRegions, StripOfTwoThicknessesHasTheFrequenciesOfTheBeam) {
   }
 }
 
-// Constant curvature: M = D κ on each side, D eight times as large where the plate is twice as
-// thick
+// Constant curvature w = x²/2: M = -D on each side, D eight times as large where the plate is twice
+// as thick
 TEST(PlateRegions, MomentsJumpWhereTheyMeet) {
   const mesh::Q8Mesh mesh = test::rectangle_arrays(4, 2, 8.0, 4.0).build();
   PlateProperties thick = test::unit_plate(0.1, 0.3);
@@ -138,11 +138,11 @@ TEST(PlateRegions, MomentsJumpWhereTheyMeet) {
   for (int region = 0; region < 2; ++region) {
     const VecXd forces = section_force_operator(mesh, regions, nodes, region) * bent;
     const double rigidity = regions[region].bending_rigidity();
-    EXPECT_NEAR(forces[kBendingMomentX], rigidity, 1e-10 * rigidity);
-    EXPECT_NEAR(forces[kBendingMomentY], 0.3 * rigidity, 1e-10 * rigidity);
+    EXPECT_NEAR(forces[kBendingMomentX], -rigidity, 1e-10 * rigidity);
+    EXPECT_NEAR(forces[kBendingMomentY], -0.3 * rigidity, 1e-10 * rigidity);
   }
   const MatXd both = section_forces(mesh, regions, bent);
-  EXPECT_NEAR(both(5 * middle, 0), 0.5 * (1.0 + 8.0), 1e-9);
+  EXPECT_NEAR(both(5 * middle, 0), -0.5 * (1.0 + 8.0), 1e-9);
 }
 
 TEST(PlateRegions, RefuseSetsThatThereAreNot) {

@@ -20,8 +20,6 @@ using test::kCaseText;
 using test::ProgramResult;
 using test::run_floe;
 using test::TestFolder;
-using test::with;
-using testing::AllOf;
 using testing::HasSubstr;
 
 const std::string kMesh = "rectangle = { length = 300.0, width = 60.0, nx = 4, ny = 2 }";
@@ -249,27 +247,6 @@ TEST_F(Structure, RefusesWhatIsNotAvailableThen) {
   EXPECT_EQ(forces.code, 3);
   EXPECT_THAT(forces.error, HasSubstr("shear_force_x (must follow from deflections or pressures"));
   EXPECT_EQ(run(matrices, kEnd + "quantities = [\"acceleration\", \"pressure\"]\n").code, 0);
-}
-
-// Sniffed by content: what floe writes for ParaView is a mesh again
-TEST(MeshFiles, OfAnyNameAreReadByTheirContentAndOthersRefusedByName) {
-  const TestFolder folder;
-  folder.write("a.toml", case_of(kMaterial, kMesh, kEnd));
-  ASSERT_EQ(run_floe(folder, "run a.toml").code, 0);
-  const auto field = std::filesystem::directory_iterator(folder.path() / "a.out/fields")->path();
-  std::filesystem::copy_file(field, folder.path() / "plate.msh");
-  folder.write("b.toml", case_of(kMaterial, "file = \"plate.msh\"", kEnd));
-  const ProgramResult run = run_floe(folder, "run b.toml");
-  ASSERT_EQ(run.code, 0) << run.error;
-  expect_equal(values_of(folder, "b.out/rao_points.csv", "abs_w"),
-               values_of(folder, "a.out/rao_points.csv", "abs_w"), 1e-9);
-  folder.write("plate.msh",
-               "cylinder\n1.0 9.80665 ULEN GRAV\n0 0\n1\n0 0 -1 1 0 -1 1 1 -1 0 1 -1\n");
-  const ProgramResult refused = run_floe(folder, "check b.toml");
-  EXPECT_EQ(refused.code, 4);
-  EXPECT_THAT(refused.error,
-              AllOf(HasSubstr("found WAMIT .gdf, panels of a hull"),
-                    HasSubstr("must be a Gmsh mesh, MSH 2.2 or 4.1, or a VTU file")));
 }
 
 }  // namespace

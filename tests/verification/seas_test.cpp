@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 #include <recorded_run.hpp>
 
-#include <algorithm>
 #include <cmath>
 
 namespace floe {
@@ -22,9 +21,17 @@ const test::RecordedRun& small_run() {
     data.plate.loss_factor = 0.05;
     data.omega = {0.5};
     data.heading_deg = {0.0, 30.0, 105.0};
-    data.quantities = {Quantity::kDeflection,     Quantity::kAcceleration, Quantity::kSlopeX,
-                       Quantity::kBendingMomentX, Quantity::kShearForceX,  Quantity::kPressure,
-                       Quantity::kSurfaceStressX};
+    data.quantities = {
+        Quantity::kDeflection,       Quantity::kAcceleration,   Quantity::kSlopeX,
+        Quantity::kBendingMomentX,   Quantity::kShearForceX,    Quantity::kPressure,
+        Quantity::kSurfaceStressX,   Quantity::kVelocity,       Quantity::kSlopeY,
+        Quantity::kBendingMomentY,   Quantity::kTwistingMoment, Quantity::kSurfaceStressY,
+        Quantity::kRelativeElevation};
+    // P1 against P2, deflection against moment; P2 - P1; von Mises from σx, σy and Mxy at P5
+    data.relations.pairs = {{{0, 0}, {1, 0}}, {{0, 0}, {4, 3}}, {{0, 0}, {0, 7}}};
+    data.relations.combinations = {
+        {"difference", Combination::Kind::kSum, {{{1, 0}, 1.0}, {{0, 0}, -1.0}}},
+        {"stress", Combination::Kind::kVonMises, {{{4, 6}, 1.0}, {{4, 10}, 1.0}, {{4, 9}, 1.5}}}};
     data.sea_grid = {.from = 0.5, .to = 0.9, .tolerance = 1e-3};
     data.seas = {
         {.name = "wind sea",
@@ -78,7 +85,9 @@ TEST(twin_Seas, LongCrestsHaveTheSpectrumTimesTheSquaredRao) {
 
 TEST(identity_Seas, MeanHeadingsBetweenTheDirectionsAreInterpolatedExactly) {
   // 40° is none of the circle's headings; on a circle with three times as many headings it is one.
-  // What differs is the sum over directions, of third order in 7.5° at the ends of the lobe
+  // What differs is the sum over directions at the ends of the lobe: by Euler and Maclaurin some
+  // h⁴/720 · 3D'' · 2kR = 4e-5 of the response to waves at ±90° with h = 7.5°, which for slopes and
+  // moments across the plate is many times the mean one
   const test::RecordedRun& run = small_run();
   const auto circle = static_cast<int>(run.transfers.front().state.cols());
   ASSERT_NE(std::fmod(40.0 * circle / 360.0, 1.0), 0.0);
@@ -92,7 +101,7 @@ TEST(identity_Seas, MeanHeadingsBetweenTheDirectionsAreInterpolatedExactly) {
   const std::vector<SeaResult> fine = statistics.results();
   for (std::size_t s = 0; s < fine.size(); ++s)
     for (std::size_t q = 0; q < fine[s].moments.size(); ++q)
-      EXPECT_LE(test::relative_error(run.seas[s].moments[q], fine[s].moments[q]), 1e-4) << s << q;
+      EXPECT_LE(test::relative_error(run.seas[s].moments[q], fine[s].moments[q]), 1e-3) << s << q;
 }
 
 TEST(identity_Seas, NodesLinesAndPointsTellTheSameDeviation) {
@@ -122,6 +131,58 @@ TEST(identity_Seas, PartitionsAddUp) {
   const SeaResult sum = statistics.results().front();
   EXPECT_LE(test::relative_error(sum.moments[3], run.seas[0].moments[3] + run.seas[2].moments[3]),
             1e-12);
+}
+
+TEST(identity_Seas, PressureIsTheWeightOfTheRelativeElevation) {
+  const test::RecordedRun& run = small_run();
+  const double weight = 1025.0 * 9.81;
+  ASSERT_EQ(run.data.quantities[5], Quantity::kPressure);
+  ASSERT_EQ(run.data.quantities[12], Quantity::kRelativeElevation);
+  for (const SeaResult& sea : run.seas)
+    EXPECT_LE(test::relative_error(sea.moments[5], weight * weight * sea.moments[12]), 1e-12);
+}
+
+TEST(Seas, TellHowFarPressuresAreFromTheDiffractionProblem) {
+  const test::RecordedRun& run = small_run();
+  EXPECT_GT(run.sea_grid.pressure_error, 0.0);
+  EXPECT_LT(run.sea_grid.pressure_error, 2e-2);
+  EXPECT_EQ(run.observation.quantity.size(), run.data.quantities.size());
+}
+
+TEST(identity_SeaRelations, LongCrestsGiveTheProductsOfTheRaos) {
+  // One heading: S_ab = S a* b with the phases of both, a factor 1 - iη in the moment
+  const test::RecordedRun& run = small_run();
+  const SeaResult& sea = run.seas.at(2);
+  const double density = run.data.seas[1].density(0.5);
+  const FrequencyResult& rao = run.frequencies[0];
+  const Complex p1 = rao.point_deflection(0, 1), p2 = rao.point_deflection(1, 1);
+  const Complex moment = rao.point_quantities[3](4, 1), velocity = rao.point_quantities[7](0, 1);
+  const auto scaled_error = [&](const Complex& own, const Complex& a, const Complex& b) {
+    return std::abs(own - density * std::conj(a) * b) / (density * std::abs(a * b));
+  };
+  // As of the transfer functions: the discretisation error between two ways to the response
+  EXPECT_LE(scaled_error(sea.pairs.at(0).spectrum[0], p1, p2), 1e-2);
+  EXPECT_LE(scaled_error(sea.pairs.at(1).spectrum[0], p1, moment), 2e-2);
+  EXPECT_LE(scaled_error(sea.pairs.at(2).spectrum[0], p1, velocity), 1e-2);
+  EXPECT_LE(std::abs(sea.combinations.at(0).spectrum[0] - density * std::norm(p2 - p1)),
+            1e-2 * density * std::norm(p2 - p1));
+}
+
+TEST(identity_SeaRelations, VariancesOfCombinationsFollowFromThoseOfTheirTerms) {
+  const test::RecordedRun& run = small_run();
+  for (const SeaResult& sea : run.seas) {
+    const MatXd& w = sea.moments[0];
+    const double covariance = sea.pairs[0].covariance;
+    EXPECT_NEAR(sea.combinations[0].moments[0], w(0, 0) + w(1, 0) - 2.0 * covariance,
+                1e-12 * w(0, 0));
+    EXPECT_NEAR(sea.pairs[0].correlation, covariance / std::sqrt(w(0, 0) * w(1, 0)), 1e-12);
+    // A deflection and its velocity are uncorrelated at the same time
+    EXPECT_NEAR(sea.pairs[2].correlation, 0.0, 1e-10);
+    // Mean square of the stress of von Mises: σx² + σy² - σxσy is at least 3/4 σx²
+    const double least = 0.75 * sea.moments[6](4, 0) + 3.0 * 2.25 * sea.moments[9](4, 0);
+    EXPECT_GE(sea.combinations[1].moments[0], least * (1.0 - 1e-12));
+    EXPECT_GT(sea.combinations[1].most_probable_maximum, std::sqrt(sea.combinations[1].moments[0]));
+  }
 }
 
 TEST(twin_Seas, AMeasuredTableOfASpectrumIsThatSpectrum) {
@@ -216,13 +277,6 @@ TEST(twin_LongTerm, AClassHasTheMomentsOfItsSea) {
   const response::LongTermDistribution distribution = result.distribution(0, 4);
   EXPECT_NEAR(distribution.exceedance(level) * distribution.peak_rate() / rate, 1.0, 1e-12);
   EXPECT_EQ(result.worst_class(0, 4, distribution.return_value(3e9)).height, 3.0);
-}
-
-TEST(Seas, TellWhatIsLeftOut) {
-  const auto& notices = small_run().notices;
-  EXPECT_TRUE(std::any_of(notices.begin(), notices.end(), [](const std::string& text) {
-    return text.find("pressure") != std::string::npos;
-  }));
 }
 
 }  // namespace

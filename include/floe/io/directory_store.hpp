@@ -49,6 +49,7 @@ class DirectoryStore final : public Store {
   void frequency(const FrequencyResult& result) override;
   void begin_seas(const SeaObservation& observation, const SeaGridReport& planned) override;
   void sea_transfer(const SeaTransfer& transfer) override;
+  void node_spectrum(std::size_t result, std::size_t frequency, const VecXd& spectrum) override;
   void sea(const SeaResult& result) override;
   void end_seas(const SeaGridReport& grid) override;
   void finish(const std::vector<StageTime>& times) override;
