@@ -1,5 +1,7 @@
 #include "analysis_stages.hpp"
+#include "finite_checks.hpp"
 
+#include <floe/bem/sampled_residual.hpp>
 #include <floe/coupling/modal_equation.hpp>
 #include <floe/hydro/surface_integrals.hpp>
 #include <floe/hydro/wave_field.hpp>
@@ -136,6 +138,19 @@ void read_off_modes(const Case& data, const PlateModel& plate, FrequencyResult& 
 
 }  // namespace
 
+namespace {
+
+// The residual of the radiation problems by the exact operator, which a dense one is
+double exact_residual(const Case& data, const FluidModel& fluid, const green::GreenTable& green,
+                      const hydro::Radiation& radiation) {
+  if (fluid.operators.method == SolverMethod::kDense) return radiation.true_residual;
+  const double weight = data.water.density * data.water.gravity;
+  return bem::sampled_residual(fluid.integrals, green, radiation.pressure,
+                               -weight * fluid.deflection.cast<Complex>());
+}
+
+}  // namespace
+
 // The residual that a solution must have. A direct one is good to rounding times the condition
 // number, which stays below 1e4
 double residual_limit(const Case& data, const FluidModel& fluid) {
@@ -190,6 +205,10 @@ FrequencyResult solve_frequency(const Case& data, const PlateModel& plate, const
   result.report.true_residual = radiation.true_residual;
   result.report.kernel_error = green.sampled_error(200);
   result.report.reciprocity_error = hydro::reciprocity_error(radiation, omega);
+  result.report.passivity_error = hydro::passivity_error(radiation);
+  result.report.exact_residual =
+      clock.time("self-checks", [&] { return exact_residual(data, fluid, green, radiation); });
+  require_finite(result);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   result.report.seconds = elapsed.count();
   return result;

@@ -130,10 +130,16 @@ FluidModel prepare_fluid(const Case& data, const Meshes& meshes, const PlateMode
   for (const double degrees : data.heading_deg)
     fluid.heading.push_back(degrees * std::numbers::pi / 180.0);
 
+  // NOTE: from far away the exact function is evaluated: a table that reached there would be as long
+  // as the way in wavelengths
+  constexpr double kFar = 3.0;  // sizes of the mesh
   Point2 lower = mesh.lower(), upper = mesh.upper();
+  const Point2 margin = Point2::Constant(kFar * (upper - lower).norm());
   for (Index i = 0; i < fluid.wave_points.cols(); ++i) {
-    lower = lower.cwiseMin(fluid.wave_points.col(i));
-    upper = upper.cwiseMax(fluid.wave_points.col(i));
+    const Point2 point =
+        fluid.wave_points.col(i).cwiseMax(mesh.lower() - margin).cwiseMin(mesh.upper() + margin);
+    lower = lower.cwiseMin(point);
+    upper = upper.cwiseMax(point);
   }
   fluid.reach = 1.001 * (upper - lower).norm();
   if (fluid.operators.sums) fluid.reach = std::max(fluid.reach, fluid.operators.sums->reach());

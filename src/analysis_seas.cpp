@@ -1,4 +1,5 @@
 #include "analysis_stages.hpp"
+#include "finite_checks.hpp"
 #include "fluid_march.hpp"
 
 #include <floe/coupling/modal_equation.hpp>
@@ -223,6 +224,7 @@ void solve_seas(const Case& data, const SeaBand& band, const PlateModel& plate,
     const FluidSample sample = march.at(grid.omega[i]);
     clock.time("seas: response", [&] {
       const SeaTransfer transfer{grid.omega[i], states(data, plate, fluid, sample, grid.headings)};
+      require_finite(transfer);
       store.sea_transfer(transfer);
       statistics.add(transfer);
     });

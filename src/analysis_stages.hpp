@@ -7,12 +7,14 @@
 #include <floe/bem/pressure_operator.hpp>
 #include <floe/estimate.hpp>
 #include <floe/hydro/radiation.hpp>
+#include <floe/numeric/error.hpp>
 #include <floe/numeric/memory.hpp>
 #include <floe/plate/static_correction.hpp>
 #include <floe/response/modal_basis.hpp>
 
 #include <chrono>
 #include <memory>
+#include <new>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,7 +29,12 @@ class StageClock {
   auto time(const std::string& stage, Work work) {
     const auto start = std::chrono::steady_clock::now();
     const Stop stop{*this, stage, start};
-    return work();
+    try {
+      return work();
+    } catch (const std::bad_alloc&) {
+      throw BudgetError("out of memory in the stage " + stage +
+                        " (give fewer nodes or modes, or run floe check for the need)");
+    }
   }
   const std::vector<StageTime>& times() const { return times_; }
 

@@ -10,7 +10,8 @@ mesh::MeshFile load_mesh(const MeshSource& source) {
   mesh::MeshFile file = mesh::read_gmsh(std::get<std::filesystem::path>(source));
   if (file.mesh.reoriented_count() > 0)
     file.notices.push_back(
-        fmt::format("{} elements were clockwise and were turned", file.mesh.reoriented_count()));
+        fmt::format("{} clockwise element{} turned", file.mesh.reoriented_count(),
+                    file.mesh.reoriented_count() == 1 ? " was" : "s were"));
   return file;
 }
 

@@ -68,23 +68,25 @@ void warn_about_waves(const std::vector<Resolution>& resolution, double size,
 
 // The points and the stations of the lines lie on the mesh
 void require_points(const Case& data, const mesh::Q8Mesh& mesh) {
-  std::vector<std::string> names;
+  std::vector<std::string> names, places;
   std::vector<Point2> positions;
   for (const NamedPoint& point : data.points) {
     names.push_back(point.name);
+    places.push_back(point.place);
     positions.push_back(point.position);
   }
   for (const NamedLine& line : data.lines) {
     const Points2 stations = response::line_stations(line.from, line.to, line.count);
     for (int i = 0; i < line.count; ++i) {
       names.push_back(fmt::format("{} of line {}", i + 1, line.name));
+      places.push_back(line.place);
       positions.emplace_back(stations.col(i));
     }
   }
-  Points2 points(2, static_cast<Index>(positions.size()));
+  const mesh::PointLocator locator(mesh);
   for (std::size_t i = 0; i < positions.size(); ++i)
-    points.col(static_cast<Index>(i)) = positions[i];
-  static_cast<void>(response::interpolation_to(mesh, points, names));
+    FLOE_VALIDATE(locator.locate(positions[i]).has_value(),
+                  places[i] << response::point_off_plates(mesh, positions[i], names[i]));
 }
 
 void require_modes(const Case& data, const mesh::Q8Mesh& mesh) {
@@ -132,6 +134,12 @@ Preflight preflight(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Me
 
 void require_resolution(const Case& data, const Preflight& found) {
   double least = std::numeric_limits<double>::infinity();
+  const std::string hopeless = name_coarse(found.resolution, kNodesAtLeast, least);
+  FLOE_VALIDATE(hopeless.empty(),
+                "invalid mesh resolution = "
+                    << fmt::format("{:.2g}", least) << " nodes per wavelength at " << hopeless
+                    << " (must be at least " << kNodesAtLeast
+                    << ", even with --allow-coarse; are mesh and depth in metres?)");
   const std::string coarse = name_coarse(found.resolution, kNodesRequired, least);
   FLOE_VALIDATE(coarse.empty() || data.allow_coarse,
                 "invalid mesh resolution = " << fmt::format("{:.2g}", least)

@@ -1,7 +1,7 @@
 #include <floe/preflight.hpp>
 #include <floe/self_checks.hpp>
 
-#include <Eigen/Eigenvalues>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,38 +10,39 @@
 namespace floe {
 namespace {
 
+constexpr const char* kResolutionName = "nodes a wavelength";
+
 CheckStatus judge(double value, double limit) {
   if (value <= limit) return CheckStatus::kGood;
   return value <= 10.0 * limit ? CheckStatus::kAttention : CheckStatus::kBad;  // NaN is bad
 }
 
-double negative_damping(const FrequencyResult& result) {
-  if (!result.damping.allFinite()) return std::numeric_limits<double>::quiet_NaN();
-  const MatXd symmetric = 0.5 * (result.damping + result.damping.transpose());
-  const VecXd values =
-      Eigen::SelfAdjointEigenSolver<MatXd>(symmetric, Eigen::EigenvaluesOnly).eigenvalues();
-  const double largest = values.cwiseAbs().maxCoeff();
-  return largest > 0.0 ? std::max(0.0, -values.minCoeff()) / largest : 0.0;
-}
-
-// The worst value of `measure` over the frequencies
-template <typename Measure>
+// The worst value of one entry of the reports
 SelfCheck worst(const std::string& name, double limit, const std::string& meaning,
-                const std::vector<FrequencyResult>& results, const Measure& measure) {
+                const std::vector<FrequencyReport>& reports, double FrequencyReport::*entry) {
   SelfCheck check{.name = name, .limit = limit, .meaning = meaning};
-  for (const FrequencyResult& result : results) {
-    const double value = measure(result);
+  for (const FrequencyReport& report : reports) {
+    const double value = report.*entry;
     if (value <= check.value) continue;
     check.value = value;
-    check.omega = result.omega;
+    check.omega = report.omega;
     if (std::isnan(value)) break;
   }
   check.status = judge(check.value, limit);
   return check;
 }
 
+SelfCheck of_plate(const std::string& name, double value, double limit,
+                   const std::string& meaning) {
+  return {.name = name,
+          .value = value,
+          .limit = limit,
+          .status = judge(value, limit),
+          .meaning = meaning};
+}
+
 SelfCheck resolution(const Case& data, const mesh::Q8Mesh& mesh) {
-  SelfCheck check{.name = "nodes a wavelength",
+  SelfCheck check{.name = kResolutionName,
                   .value = std::numeric_limits<double>::infinity(),
                   .limit = kNodesWanted,
                   .meaning =
@@ -60,26 +61,61 @@ SelfCheck resolution(const Case& data, const mesh::Q8Mesh& mesh) {
 
 }  // namespace
 
+const char* status_name(CheckStatus status) {
+  return status == CheckStatus::kGood ? "good" : status == CheckStatus::kAttention ? "attention"
+                                                                                   : "bad";
+}
+
+std::vector<std::string> warnings_of(const std::vector<SelfCheck>& checks) {
+  std::vector<std::string> warnings;
+  for (const SelfCheck& check : checks) {
+    if (check.status == CheckStatus::kGood || check.name == kResolutionName) continue;
+    const std::string where =
+        check.omega > 0.0 ? fmt::format(" at omega = {:.4g} rad/s", check.omega) : "";
+    warnings.push_back(fmt::format("self-check, {} = {:.2g}{} (good up to {:g}): {}", check.name,
+                                   check.value, where, check.limit, check.meaning));
+  }
+  return warnings;
+}
+
+double exact_residual_limit(double tolerance) {
+  constexpr double kLeastSumTolerance = 1e-7, kIntegralTolerance = 1e-8;
+  return 1.001 * tolerance + 2.0 * (std::max(tolerance, kLeastSumTolerance) + kIntegralTolerance);
+}
+
 std::vector<SelfCheck> self_checks(const Case& data, const mesh::Q8Mesh& mesh,
-                                   const std::vector<FrequencyResult>& results) {
-  if (results.empty()) return {};
-  return {
-      worst("residual", 1.001 * data.tolerance,
-            "how well the fluid's equation is solved, recomputed after the solution", results,
-            [](const FrequencyResult& r) { return r.report.true_residual; }),
-      worst("Green function", kKernelLimit,
-            "error of the table against the exact function, sampled", results,
-            [](const FrequencyResult& r) { return r.report.kernel_error; }),
-      worst("reciprocity", kIdentityLimit,
-            "asymmetry of the fluid matrix, zero for the exact solution; a finer mesh lowers it",
-            results, [](const FrequencyResult& r) { return r.report.reciprocity_error; }),
-      worst("energy", kIdentityLimit,
-            "damping against the energy that the waves carry away; a finer mesh lowers it", results,
-            [](const FrequencyResult& r) { return r.report.energy_error; }),
-      worst("positive damping", kPassivityLimit,
-            "largest negative damping over the largest damping; motion must lose energy", results,
-            negative_damping),
-      resolution(data, mesh)};
+                                   const plate::DryModes& modes,
+                                   const std::vector<FrequencyReport>& reports) {
+  if (reports.empty()) return {};
+  using Report = FrequencyReport;
+  return {worst("residual", 1.001 * data.tolerance,
+                "how well the fluid's equation is solved, recomputed after the solution; if it "
+                "fails, give solver.method = \"dense\"",
+                reports, &Report::true_residual),
+          worst("exact residual", exact_residual_limit(data.tolerance),
+                "the same by the exact operator on 50 rows; if it fails, lower solver.tolerance or "
+                "give solver.method = \"dense\"",
+                reports, &Report::exact_residual),
+          worst("Green function", kKernelLimit,
+                "error of the table against the exact function, sampled; if it fails, do not trust "
+                "the results and report the case",
+                reports, &Report::kernel_error),
+          worst("reciprocity", kIdentityLimit,
+                "asymmetry of the fluid matrix, zero for the exact solution; a finer mesh lowers it",
+                reports, &Report::reciprocity_error),
+          worst("energy", kIdentityLimit,
+                "damping against the energy that the waves carry away; a finer mesh lowers it",
+                reports, &Report::energy_error),
+          worst("positive damping", kPassivityLimit,
+                "largest negative damping over the largest damping; motion must lose energy; a "
+                "finer mesh lowers it",
+                reports, &Report::passivity_error),
+          of_plate("orthonormal modes", modes.orthonormality_error, kOrthonormalityLimit,
+                   "modal mass against what it should be; if it fails, ask for fewer modes"),
+          of_plate("rigid modes", modes.rigid_force_error, kRigidLimit,
+                   "elastic force that a rigid motion meets; if it fails, the mesh lies too far "
+                   "from the origin or is distorted"),
+          resolution(data, mesh)};
 }
 
 }  // namespace floe

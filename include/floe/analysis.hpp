@@ -29,6 +29,7 @@ mesh::MeshFile load_mesh(const MeshSource& source);
 struct NamedPoint {
   std::string name;
   Point2 position;
+  std::string place = {};  ///< where the case file says so, "CASE.toml:12:9: "
 };
 
 /// A named straight line on the plate, `count` equidistant stations, both ends included.
@@ -37,6 +38,7 @@ struct NamedLine {
   Point2 from;
   Point2 to;
   int count = 0;
+  std::string place = {};  ///< where the case file says so
 };
 
 /// A wave for which node fields are written.
@@ -85,6 +87,8 @@ struct FrequencyReport {
   double kernel_error = 0.0;       ///< relative error of G from its table, sampled
   double reciprocity_error = 0.0;  ///< ‖P - Pᵀ‖/‖P‖ of the hydrodynamic part
   double energy_error = 0.0;       ///< damping against radiated energy, relative to ω·max|a|
+  double exact_residual = 0.0;     ///< as true_residual, by the exact operator on sampled rows
+  double passivity_error = 0.0;    ///< most negative eigenvalue of the damping over the largest
   double seconds = 0.0;            ///< wall time
 };
 

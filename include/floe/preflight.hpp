@@ -25,6 +25,9 @@ struct Resolution {
 
 inline constexpr double kNodesWanted = 4.0;    ///< fewer a wavelength: a warning
 inline constexpr double kNodesRequired = 2.0;  ///< fewer: refused, unless the case allows it
+/// Fewer: refused always. Such a result would be noise, and the Green function's table, which grows
+/// with the mesh's size in wavelengths, would fill any memory.
+inline constexpr double kNodesAtLeast = 0.1;
 
 struct Preflight {
   mesh::MeshQuality quality;
@@ -40,7 +43,7 @@ Preflight preflight(const Case& data, const mesh::Q8Mesh& mesh,
                     const mesh::Q8Mesh* plate_mesh = nullptr);
 
 /// Throws InputError when a frequency has fewer than 2 nodes a wavelength and the case does not
-/// allow it.
+/// allow it, or fewer than 0.1.
 void require_resolution(const Case& data, const Preflight& found);
 
 /// Throws what a run would throw later on. InputError: a point or a station of a line lies on no

@@ -67,6 +67,9 @@ MeshSource read_mesh_source(const Section& mesh, const std::filesystem::path& fo
 void read_water(const Section& root, Case& data) {
   const Section water = root.table("water", {"depth", "density", "gravity"});
   const NumberRule depth{"m", "must be positive or inf", [](double x) { return x > 0.0; }};
+  const NumberRule not_a_film{"m", "must be at least 0.001 or inf",
+                              [](double x) { return !(x > 0.0) || x >= 1e-3; }};
+  water.number("depth", not_a_film);
   data.water.depth = water.number("depth", depth);
   data.water.density = water.number_or("density", kPositive("kg/m³"), data.water.density);
   data.water.gravity = water.number_or("gravity", kPositive("m/s²"), data.water.gravity);

@@ -47,7 +47,8 @@ std::vector<NamedPoint> read_points(const Section& output, const std::string& ke
   for (const toml::key* name : keys_in_file_order(table)) {
     const std::string full = output.full_name(key) + "." + std::string(name->str());
     const auto [x, y] = checked_point(*table.get(name->str()), full, output.source());
-    points.push_back({std::string(name->str()), Point2(x, y)});
+    points.push_back({std::string(name->str()), Point2(x, y),
+                      output.source().place(table.get(name->str())->source())});
   }
   return points;
 }
@@ -67,7 +68,7 @@ std::vector<NamedLine> read_lines(const Section& output) {
     const auto to =
         checked_point(line.require("to", required), line.full_name("to"), line.source());
     lines.push_back({name, Point2(from.first, from.second), Point2(to.first, to.second),
-                     line.integer("count", 2, kMostStations)});
+                     line.integer("count", 2, kMostStations), line.source().place(line.place())});
     if (lines.back().from == lines.back().to)
       line.source().refuse(
           line.find("to")->source(),

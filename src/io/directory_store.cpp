@@ -70,6 +70,7 @@ class DirectoryStore::Impl {
   void write_account() { write_file(file("run.json"), run_json(data_, account)); }
   void write_fields(const FrequencyResult& result);
   void write_manifest() const;
+  void check_results();
   void plan_records();
   void warn_of_truncation(const SeaResult& sea);
   PvdEntry entry_of(const NodeField& field) const;
@@ -78,6 +79,7 @@ class DirectoryStore::Impl {
   void store_record(const std::string& name, const Record& record);
 
   bool resume_;
+  plate::DryModes dry_;         // what the self-checks need of them
   std::set<std::string> good_;  // records of the earlier run that were read
   Case data_;
   const mesh::Q8Mesh* mesh_ = nullptr;  // view, until the end
@@ -102,7 +104,9 @@ void DirectoryStore::Impl::begin(const Case& given, const mesh::Q8Mesh& given_me
   account.area = given_mesh.area();
   account.threads = omp_get_max_threads();
   account.plan = plan;
-  account.warnings = preflight(given, given_mesh).warnings;
+  const Preflight found = preflight(given, given_mesh);
+  account.warnings = found.warnings;
+  account.resolution = found.resolution;
   account.files = product_names();
   if (!data_.title.empty()) remarks_.push_back(data_.title);
   for (const std::string& warning : account.warnings) remarks_.push_back("warning: " + warning);
@@ -186,6 +190,8 @@ void DirectoryStore::Impl::modes(const plate::DryModes& dry, const mesh::Q8Mesh&
   if (&mode_mesh != mesh_) record_of(mode_mesh).write(file(kModeMesh));
   account.dry_omega.assign(dry.omega.data(), dry.omega.data() + dry.omega.size());
   account.dry_omega_error = dry.estimated_frequency_error;
+  dry_.orthonormality_error = dry.orthonormality_error;
+  dry_.rigid_force_error = dry.rigid_force_error;
   write_dry_modes(directory.path(), remarks_, dry);
 }
 
@@ -267,7 +273,14 @@ void DirectoryStore::Impl::end_seas(const SeaGridReport& grid) {
   write_statistics_vtu(file("statistics.vtu"), *mesh_, seas_);
 }
 
+// What the run tells about itself, and warnings where that is not good
+void DirectoryStore::Impl::check_results() {
+  account.checks = self_checks(data_, *mesh_, dry_, account.frequencies);
+  for (const std::string& warning : warnings_of(account.checks)) account.warnings.push_back(warning);
+}
+
 void DirectoryStore::Impl::end(const std::string& status) {
+  if (mesh_) check_results();
   mesh_ = nullptr;
   if (!tables_) return;
   if (account.frequencies.empty()) {
@@ -311,6 +324,8 @@ SeaObservation DirectoryStore::known_observation() {
 }
 
 const std::vector<std::string>& DirectoryStore::damaged_records() const { return impl_->damaged; }
+
+const std::vector<SelfCheck>& DirectoryStore::checks() const { return impl_->account.checks; }
 
 void DirectoryStore::begin(const Case& data, const mesh::Q8Mesh& mesh, const Estimate& plan) {
   impl_->begin(data, mesh, plan);

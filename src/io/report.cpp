@@ -167,14 +167,15 @@ Json hydrodynamics_json(const ReportContent& content, const std::vector<std::siz
 }
 
 Json checks_json(const ReportContent& content) {
-  static constexpr const char* kWords[] = {"good", "attention", "bad"};
   Json checks = Json::array();
-  for (const SelfCheck& check : self_checks(content.data, content.mesh, content.results))
+  std::vector<FrequencyReport> reports;
+  for (const FrequencyResult& result : content.results) reports.push_back(result.report);
+  for (const SelfCheck& check : self_checks(content.data, content.mesh, content.modes, reports))
     checks.push_back({{"name", check.name},
                       {"value", check.value},
                       {"threshold", check.limit},
                       {"omega", check.omega},
-                      {"status", kWords[static_cast<int>(check.status)]},
+                      {"status", status_name(check.status)},
                       {"text", check.meaning}});
   return checks;
 }

@@ -45,6 +45,28 @@ Json plan_json(const RunAccount& account) {
           {"estimated_seconds", account.plan.seconds}};
 }
 
+Json checks_json(const std::vector<SelfCheck>& all) {
+  Json checks = Json::array();
+  for (const SelfCheck& check : all)
+    checks.push_back({{"name", check.name},
+                      {"value", check.value},
+                      {"limit", check.limit},
+                      {"omega", check.omega},
+                      {"status", status_name(check.status)},
+                      {"meaning", check.meaning}});
+  return checks;
+}
+
+// How fine the mesh is for the waves of one frequency
+void add_resolution(const std::vector<Resolution>& all, double omega, Json& frequency) {
+  for (const Resolution& r : all) {
+    if (r.omega != omega) continue;
+    frequency["nodes_per_wavelength"] = r.nodes_per_wavelength;
+    frequency["flexural_wavelength"] = r.flexural_wavelength;
+    frequency["nodes_per_flexural_wavelength"] = r.nodes_per_flexural_wavelength;
+  }
+}
+
 Json frequency_json(const FrequencyReport& report, double wavenumber) {
   return {{"omega", report.omega},
           {"wavelength", 2.0 * std::numbers::pi / wavenumber},
@@ -55,6 +77,8 @@ Json frequency_json(const FrequencyReport& report, double wavenumber) {
           {"kernel_error", report.kernel_error},
           {"reciprocity_error", report.reciprocity_error},
           {"energy_error", report.energy_error},
+          {"exact_residual", report.exact_residual},
+          {"passivity_error", report.passivity_error},
           {"seconds", report.seconds}};
 }
 
@@ -67,8 +91,10 @@ RunAccount::Sea summary_of(const SeaResult& result) {
 
 std::string run_json(const Case& data, const RunAccount& account) {
   Json frequencies = Json::array(), stages = Json::array();
-  for (std::size_t i = 0; i < account.frequencies.size(); ++i)
+  for (std::size_t i = 0; i < account.frequencies.size(); ++i) {
     frequencies.push_back(frequency_json(account.frequencies[i], account.wavenumber[i]));
+    add_resolution(account.resolution, account.frequencies[i].omega, frequencies.back());
+  }
   for (const StageTime& stage : account.stages)
     stages.push_back(
         {{"stage", stage.stage}, {"seconds", stage.seconds}, {"peak_memory", stage.peak_memory}});
@@ -95,6 +121,7 @@ std::string run_json(const Case& data, const RunAccount& account) {
         {"estimated_frequency_error", account.dry_omega_error}}},
       {"frequencies", frequencies},
       {"seas", sea_results_json(account)},
+      {"checks", checks_json(account.checks)},
       {"warnings", account.warnings},
       {"stages", stages},
       {"peak_memory", numeric::peak_memory()},

@@ -2,6 +2,8 @@
 
 #include <floe/analysis.hpp>
 #include <floe/estimate.hpp>
+#include <floe/preflight.hpp>
+#include <floe/self_checks.hpp>
 
 #include <filesystem>
 #include <string>
@@ -24,6 +26,8 @@ struct RunAccount {
   double dry_omega_error = 0.0;    ///< largest relative error, estimated
   std::vector<double> wavenumber;  ///< one a finished frequency [rad/m]
   std::vector<FrequencyReport> frequencies;
+  std::vector<Resolution> resolution;  ///< of the case's frequencies
+  std::vector<SelfCheck> checks;       ///< none before the end
   SeaGridReport sea_grid;  ///< no frequency: no seas
   struct Sea {
     std::string name;

@@ -85,6 +85,9 @@ DryModes dry_modes(const mesh::Q8Mesh& mesh, const PlateProperties& properties,
       place(pieces[p], modes[p].rigid.col(c), result.shape.col(3 * p + c));
     result.modal_mass.block<3, 3>(3 * p, 3 * p) = modes[p].modal_mass;
     add(modes[p].report, result.report);
+    result.orthonormality_error =
+        std::max(result.orthonormality_error, modes[p].orthonormality_error);
+    result.rigid_force_error = std::max(result.rigid_force_error, modes[p].rigid_force_error);
   }
   for (Index i = 0; i < elastic_count; ++i) {
     const ElasticMode& mode = chosen[i];

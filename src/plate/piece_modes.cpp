@@ -70,6 +70,31 @@ double expected_residual(const ElasticProblem& problem, double eigenvalue, doubl
          1e2 * std::numeric_limits<double>::epsilon() * largest / (eigenvalue + problem.shift);
 }
 
+// Largest |CᵀMC - what it should be| over rigid and elastic modes
+double orthonormality_error(const NodeMass& mass, const PieceModes& modes) {
+  MatXd all(modes.rigid.rows(), modes.rigid.cols() + modes.elastic.cols());
+  all << modes.rigid, modes.elastic;
+  MatXd expected = MatXd::Identity(all.cols(), all.cols());
+  expected.topLeftCorner<3, 3>() = modes.modal_mass;
+  return (inner_products(all, mass * all) - expected).cwiseAbs().maxCoeff();
+}
+
+// Largest |Kc| over the largest |K||c|: what a rigid motion meets, zero but for rounding
+double rigid_force_error(const SparseMatrix& stiffness, const MatXd& rigid) {
+  Eigen::Array3d force = Eigen::Array3d::Zero(), scale = Eigen::Array3d::Zero();
+  for (Index column = 0; column < stiffness.outerSize(); ++column) {
+    Eigen::Array3d sum = Eigen::Array3d::Zero(), size = Eigen::Array3d::Zero();
+    for (SparseMatrix::InnerIterator entry(stiffness, column); entry; ++entry) {
+      const Eigen::Array3d term = entry.value() * rigid.row(entry.row()).transpose().array();
+      sum += term;
+      size += term.abs();
+    }
+    force = force.max(sum.abs());
+    scale = scale.max(size);
+  }
+  return (force / scale).maxCoeff();
+}
+
 bool is_small(Index unknowns, Index elastic_count) {
   return unknowns <= 600 || (unknowns <= 3000 && 10 * elastic_count > unknowns);
 }
@@ -92,6 +117,7 @@ PieceModes piece_modes(const Piece& piece, const PlateProperties& properties,
   const Index elastic_count = std::min<Index>(options.count, mass.size() - rigid_basis.cols());
   if (elastic_count == 0) {
     modes.elastic.resize(mass.size(), 0);
+    modes.rigid_force_error = rigid_force_error(plate.stiffness, modes.rigid);
     return modes;
   }
   const double shift = estimate_first_eigenvalue(piece, area, properties, mass, rigid_basis);
@@ -124,6 +150,8 @@ PieceModes piece_modes(const Piece& piece, const PlateProperties& properties,
   }
   modes.eigenvalue = std::move(pairs.value);
   modes.elastic = std::move(pairs.vector);
+  modes.orthonormality_error = orthonormality_error(mass, modes);
+  modes.rigid_force_error = rigid_force_error(plate.stiffness, modes.rigid);
   return modes;
 }
 

@@ -33,6 +33,8 @@ struct PieceModes {
   MatXd modal_mass;  ///< of the rigid ones, 3 × 3
   VecXd eigenvalue;  ///< ω² of the elastic ones [rad²/s²], rising
   MatXd elastic;     ///< 3n × count, M-orthonormal, and M-orthogonal to the rigid ones
+  double orthonormality_error = 0.0;  ///< as in DryModes
+  double rigid_force_error = 0.0;
   DryModeReport report;
 };
 

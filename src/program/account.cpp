@@ -118,4 +118,8 @@ void Account::show_warnings() {
   pending_warnings_.clear();
 }
 
+void print_error_event(int code, const std::string& text) {
+  print_json({{"event", "error"}, {"code", code}, {"text", text}});
+}
+
 }  // namespace floe::program

@@ -43,4 +43,7 @@ class Account final : public Log {
   bool table_open_ = false;
 };
 
+/// {"event":"error","code":3,"text":"…"}, a line of the account as `json`.
+void print_error_event(int code, const std::string& text);
+
 }  // namespace floe::program

@@ -1,5 +1,6 @@
 #include "program/command_line.hpp"
 
+#include "program/account.hpp"
 #include "program/commands.hpp"
 #include "program/exit_code.hpp"
 #include "program/parse_errors.hpp"
@@ -26,6 +27,7 @@ constexpr const char* kAbout =
 constexpr const char* kExamples = R"(
 Examples:
   floe check cases/table1.toml            what a run would need; solves nothing
+  floe converge cases/table1.toml         how good the answers are on that mesh
   floe run cases/table1.toml              results go to table1.out/
   floe run plate.toml -o out --threads 8  another folder, eight threads
   floe report table1.out                  one page to look at: table1.out/report.html
@@ -150,6 +152,17 @@ void add_check(CLI::App& app, Choice& choice) {
   command.callback([&choice] { choice.action = [&choice] { check_case(choice.run); }; });
 }
 
+void add_converge(CLI::App& app, Choice& choice) {
+  CLI::App& command = *app.add_subcommand(
+      "converge", "solve on finer meshes and with more modes; tell the error of the answers");
+  add_case_flags(command, choice);
+  command
+      .add_option("-o", choice.run.output, "result folder (default: the case's name + .convergence)")
+      ->type_name("DIR");
+  command.add_flag("--fresh", choice.run.fresh, "replace the results of an earlier study");
+  command.callback([&choice] { choice.action = [&choice] { tell_convergence(choice.run); }; });
+}
+
 void add_stats(CLI::App& app, Choice& choice) {
   CLI::App& command = *app.add_subcommand(
       "stats", "statistics of new sea states from a run's transfer functions; solve nothing");
@@ -197,14 +210,14 @@ void add_mesh(CLI::App& app, Choice& choice) {
 
 // A first word that is no command gets the nearest one named
 void refuse_unknown_command(const std::string& command) {
-  const std::vector<std::string> known = {"run", "check", "stats", "report", "mesh"};
+  const std::vector<std::string> known = {"run", "check", "converge", "stats", "report", "mesh"};
   if (command.empty() || command[0] == '-' ||
       std::find(known.begin(), known.end(), command) != known.end())
     return;
   const std::string nearest = io::nearest_name(command, known);
   throw UsageError(fmt::format(
       "unknown command {} ({})", command,
-      nearest.empty() ? "known are run, check, stats, report, mesh; floe --help tells more"
+      nearest.empty() ? "known are run, check, converge, stats, report, mesh; floe --help tells more"
                       : "did you mean " + nearest + "?"));
 }
 
@@ -215,7 +228,7 @@ void refuse_later_words(int argc, char** argv) {
         fmt::format("{} is not available yet in this version ({})", word, FLOE_VERSION));
   };
   const std::string command = argc > 1 ? argv[1] : "";
-  for (const char* later : {"status", "export", "merge", "converge", "init"})
+  for (const char* later : {"status", "export", "merge", "init"})
     if (command == later) refuse("floe " + command);
   refuse_unknown_command(command);
   const std::string shape = command == "mesh" && argc > 2 ? argv[2] : "";
@@ -236,6 +249,7 @@ int parse_and_run(int argc, char** argv) {
   app.require_subcommand(1);
   add_run(app, choice);
   add_check(app, choice);
+  add_converge(app, choice);
   add_stats(app, choice);
   add_report(app, choice);
   add_mesh(app, choice);
@@ -256,6 +270,17 @@ int parse_and_run(int argc, char** argv) {
   return kDone;
 }
 
+// Programs that read the account as JSON get the error the same way
+bool speaks_json(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "--") return false;
+    if (word == "--progress=json") return true;
+    if (word == "--progress" && i + 1 < argc && std::string(argv[i + 1]) == "json") return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 int run_command_line(int argc, char** argv) {
@@ -264,6 +289,7 @@ int run_command_line(int argc, char** argv) {
     return parse_and_run(argc, argv);
   } catch (...) {
     const Failure failure = describe(std::current_exception());
+    if (speaks_json(argc, argv)) print_error_event(failure.code, failure.text);
     print_error(fmt::format("floe: error: {}\n", failure.text));
     return failure.code;
   }

@@ -26,6 +26,9 @@ void run_case(const RunOptions& options);
 /// Tells what a run would do and need, and refuses what a run would refuse; solves nothing.
 void check_case(const RunOptions& options);
 
+/// Solves a case on finer and finer meshes and with more modes, and tells the error of its answers.
+void tell_convergence(const RunOptions& options);
+
 struct StatsOptions {
   std::filesystem::path directory;  ///< of a run
   std::filesystem::path sea_file;

@@ -5,6 +5,7 @@
 #include <floe/estimate.hpp>
 #include <floe/io/case_file.hpp>
 #include <floe/io/directory_store.hpp>
+#include <floe/numeric/blas_check.hpp>
 #include <floe/numeric/memory.hpp>
 
 #include <fmt/format.h>
@@ -158,6 +159,7 @@ void run_case(const RunOptions& options) {
   Account account(options.progress);
   const Case data = read_case_for(options, account);
   use_threads(options.threads, account);
+  numeric::require_working_blas();
   io::DirectoryStore store(output_of(options), options.fresh    ? io::Existing::kReplace
                                                : options.resume ? io::Existing::kResume
                                                                 : io::Existing::kRefuse);
@@ -179,6 +181,7 @@ void run_case(const RunOptions& options) {
   // Tell where everything lies
   for (const std::string& damaged : store.damaged_records())
     account.warning(damaged + " (computed again)");
+  for (const std::string& warning : warnings_of(store.checks())) account.warning(warning);
   account.show_warnings();
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   account.gap();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <floe/analysis.hpp>
+#include <floe/self_checks.hpp>
 
 #include <filesystem>
 #include <memory>
@@ -41,6 +42,9 @@ class DirectoryStore final : public Store {
   SeaObservation known_observation() override;
   /// One sentence a record that was found damaged.
   const std::vector<std::string>& damaged_records() const;
+
+  /// What the results tell about themselves, once the run has ended.
+  const std::vector<SelfCheck>& checks() const;
 
   /// With kResume throws StoreError, naming what differs, when the earlier run was of another case.
   /// Keeps a view of `mesh` until `finish` or `stop`.

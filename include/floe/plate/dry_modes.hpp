@@ -32,6 +32,8 @@ struct DryModes {
   /// Over rectangles, rings and L-shapes, distorted too, with 30 modes: 0.5 to 4.5 times the true
   /// one where that is above 1e-3; 0.2 (re-entrant corner, fine mesh) to 13 times down to 3e-5.
   double estimated_frequency_error = 0.0;
+  double orthonormality_error = 0.0;  ///< largest |CᵀMC - modal_mass|, recomputed piece by piece
+  double rigid_force_error = 0.0;     ///< largest |Kc| over the largest |K||c| of the rigid modes
   DryModeReport report;
   Index count() const { return omega.size(); }
 };

@@ -13,6 +13,10 @@ namespace floe::response {
 SparseMatrix interpolation_to(const mesh::Q8Mesh& mesh, const Points2& points,
                               std::span<const std::string> names);
 
+/// The message about a point that lies on no element.
+std::string point_off_plates(const mesh::Q8Mesh& mesh, const Point2& point,
+                             const std::string& name);
+
 /// `count` equidistant points from `from` to `to`, both included.
 Points2 line_stations(const Point2& from, const Point2& to, int count);
 

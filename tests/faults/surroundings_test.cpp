@@ -1,0 +1,111 @@
+#include "floe_program.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+
+// Faults of what the program runs in: locale, BLAS, memory, threads.
+namespace floe::test {
+namespace {
+
+using testing::AnyOf;
+using testing::HasSubstr;
+
+const std::string kOutput = R"([modes]
+count = 6
+[output]
+points = { P1 = [-150, -30], P5 = [0, 0] }
+wave_points = { lee = [200.5, 0] }
+quantities = ["deflection", "bending_moment_x", "pressure"]
+)";
+
+// All tables of a result
+std::map<std::string, std::string> tables_in(const TestFolder& folder, const std::string& name) {
+  std::map<std::string, std::string> tables;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path() / name))
+    if (entry.path().extension() == ".csv")
+      tables[entry.path().filename().string()] =
+          folder.read(name + "/" + entry.path().filename().string());
+  return tables;
+}
+
+// With the sanitizers nothing can be put before their own allocations
+bool can_preload() {
+#ifdef __SANITIZE_ADDRESS__
+  return false;
+#else
+  return true;
+#endif
+}
+
+TEST(Locale, WithADecimalCommaGivesTheSameBytes) {
+  const TestFolder folder;
+  const std::string made = "localedef -i de_DE -f UTF-8 '" + folder.path().string() +
+                           "/de_DE.UTF-8' >/dev/null 2>&1";
+  ASSERT_EQ(std::system(made.c_str()), 0) << "the package locales is missing";
+  folder.write("case.toml", kCaseText + kOutput);
+  const std::string german = "LOCPATH='" + folder.path().string() + "' LC_ALL=de_DE.UTF-8";
+  const std::string proof = german + " sh -c 'locale decimal_point' >'" + folder.path().string() +
+                            "/point' 2>/dev/null";
+  ASSERT_EQ(std::system(proof.c_str()), 0);
+  ASSERT_EQ(folder.read("point"), ",\n");
+  ASSERT_EQ(run_floe(folder, "run case.toml -o c", "LC_ALL=C").code, 0);
+  ASSERT_EQ(run_floe(folder, "run case.toml -o de", german).code, 0);
+  EXPECT_EQ(tables_in(folder, "c"), tables_in(folder, "de"));
+  EXPECT_EQ(run_floe(folder, "run case.toml -o bytes", "LC_ALL=C.ISO-8859-1").code, 0);
+}
+
+TEST(Blas, ThatCannotMultiplyIsNamedAtTheStart) {
+  if (!can_preload()) GTEST_SKIP() << "not with the sanitizers";
+  const TestFolder folder;
+  folder.write("case.toml", kCaseText);
+  const ProgramResult result =
+      run_floe(folder, "run case.toml", std::string("LD_PRELOAD=") + FLOE_WRONG_BLAS);
+  EXPECT_EQ(result.code, 1);
+  EXPECT_THAT(result.error, HasSubstr("the BLAS library computes wrongly: error of a real product"));
+  EXPECT_THAT(result.error, HasSubstr("no such core"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "case.out"));
+}
+
+// The n-th allocation fails, for n = 1, 2, 4 … beyond all that there are; each time the program
+// says so, and going on afterwards gives what was never disturbed
+TEST(Allocations, MayFailAtAnyCount) {
+  if (!can_preload()) GTEST_SKIP() << "not with the sanitizers";
+  const TestFolder folder;
+  folder.write("case.toml", kCaseText + kOutput);
+  ASSERT_EQ(run_floe(folder, "run case.toml -o whole --threads 1").code, 0);
+  int failed = 0;
+  for (long n = 1; n < (1L << 40); n *= 2) {
+    const ProgramResult result =
+        run_floe(folder, "run case.toml -o part --resume --threads 1",
+                 std::string("OMP_NUM_THREADS=1 LD_PRELOAD=") + FLOE_FAILING_ALLOCATIONS +
+                     " FLOE_FAIL_ALLOCATION=" + std::to_string(n) + " timeout -s KILL 60");
+    if (result.code == 0 && n > 100'000) break;
+    EXPECT_THAT(result.code, AnyOf(0, 1, 6)) << n << ": " << result.error;
+    if (result.code == 0) continue;  // the allocation could be done without
+    ++failed;
+    EXPECT_FALSE(result.error.empty()) << n;
+  }
+  EXPECT_GT(failed, 5);
+  ASSERT_EQ(run_floe(folder, "run case.toml -o part --resume").code, 0);
+  EXPECT_EQ(tables_in(folder, "whole"), tables_in(folder, "part"));
+}
+
+TEST(Determinism, OfEveryMethodForAnyNumberOfThreads) {
+  const TestFolder folder;
+  for (const std::string method : {"dense", "lattice", "pfft", "fmm"}) {
+    folder.write("case.toml", with("nx = 4, ny = 2", "nx = 20, ny = 4") + kOutput +
+                                  "[solver]\nmethod = \"" + method + "\"\n");
+    ASSERT_EQ(run_floe(folder, "run case.toml --fresh -o one --threads 1").code, 0) << method;
+    for (const char* threads : {"2", "3", "7"}) {
+      const ProgramResult result =
+          run_floe(folder, std::string("run case.toml --fresh -o many --threads ") + threads);
+      ASSERT_EQ(result.code, 0) << method << " " << result.error;
+      EXPECT_EQ(tables_in(folder, "one"), tables_in(folder, "many")) << method << " " << threads;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace floe::test
