@@ -130,8 +130,8 @@ FluidModel prepare_fluid(const Case& data, const Meshes& meshes, const PlateMode
   for (const double degrees : data.heading_deg)
     fluid.heading.push_back(degrees * std::numbers::pi / 180.0);
 
-  // NOTE: from far away the exact function is evaluated: a table that reached there would be as long
-  // as the way in wavelengths
+  // NOTE: from far away the exact function is evaluated: a table that reached there would be as
+  // long as the way in wavelengths
   constexpr double kFar = 3.0;  // sizes of the mesh
   Point2 lower = mesh.lower(), upper = mesh.upper();
   const Point2 margin = Point2::Constant(kFar * (upper - lower).norm());

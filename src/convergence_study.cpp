@@ -143,8 +143,7 @@ Extrapolation extrapolate(const Eigen::Ref<const MatXcd>& answers) {
   if (fine == 0.0) return {kLargestOrder, answers.col(2)};
   if (!(coarse > std::sqrt(2.0) * fine)) return {0.0, answers.col(2)};
   const double order = std::min(std::log2(coarse / fine), kLargestOrder);
-  return {order,
-          answers.col(2) + (answers.col(2) - answers.col(1)) / (std::exp2(order) - 1.0)};
+  return {order, answers.col(2) + (answers.col(2) - answers.col(1)) / (std::exp2(order) - 1.0)};
 }
 
 std::vector<std::string> study_meshes(const Case& data) {
@@ -165,8 +164,7 @@ ConvergenceStudy study_convergence(const Case& data, const std::filesystem::path
   // Make the finer meshes
   const std::vector<MeshSource> meshes = refined_sources(data.mesh, folder, "");
   std::vector<MeshSource> plates;
-  if (!data.plate_mesh.empty())
-    plates = refined_sources(data.plate_mesh.front(), folder, "plate_");
+  if (!data.plate_mesh.empty()) plates = refined_sources(data.plate_mesh.front(), folder, "plate_");
 
   // Solve on each, then with more modes
   std::vector<AnswerStore> runs;
@@ -177,8 +175,8 @@ ConvergenceStudy study_convergence(const Case& data, const std::filesystem::path
   }
   study.mesh = data.mesh;
   study.plate_mesh = data.plate_mesh;
-  const Index nodes = load_mesh(plates.empty() ? data.mesh : data.plate_mesh.front())
-                          .mesh.node_count();
+  const Index nodes =
+      load_mesh(plates.empty() ? data.mesh : data.plate_mesh.front()).mesh.node_count();
   study.mode_count = static_cast<int>(std::min<Index>(2 * data.mode_count, 3 * nodes / 2));
   const AnswerStore more = solve(study, log, kMeshes);
 

@@ -9,9 +9,9 @@ mesh::MeshFile load_mesh(const MeshSource& source) {
     return {mesh::make_rectangle(*rectangle), {}};
   mesh::MeshFile file = mesh::read_gmsh(std::get<std::filesystem::path>(source));
   if (file.mesh.reoriented_count() > 0)
-    file.notices.push_back(
-        fmt::format("{} clockwise element{} turned", file.mesh.reoriented_count(),
-                    file.mesh.reoriented_count() == 1 ? " was" : "s were"));
+    file.notices.push_back(fmt::format("{} clockwise element{} turned",
+                                       file.mesh.reoriented_count(),
+                                       file.mesh.reoriented_count() == 1 ? " was" : "s were"));
   return file;
 }
 

@@ -135,11 +135,11 @@ Preflight preflight(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Me
 void require_resolution(const Case& data, const Preflight& found) {
   double least = std::numeric_limits<double>::infinity();
   const std::string hopeless = name_coarse(found.resolution, kNodesAtLeast, least);
-  FLOE_VALIDATE(hopeless.empty(),
-                "invalid mesh resolution = "
-                    << fmt::format("{:.2g}", least) << " nodes per wavelength at " << hopeless
-                    << " (must be at least " << kNodesAtLeast
-                    << ", even with --allow-coarse; are mesh and depth in metres?)");
+  FLOE_VALIDATE(
+      hopeless.empty(),
+      "invalid mesh resolution = " << fmt::format("{:.2g}", least) << " nodes per wavelength at "
+                                   << hopeless << " (must be at least " << kNodesAtLeast
+                                   << ", even with --allow-coarse; are mesh and depth in metres?)");
   const std::string coarse = name_coarse(found.resolution, kNodesRequired, least);
   FLOE_VALIDATE(coarse.empty() || data.allow_coarse,
                 "invalid mesh resolution = " << fmt::format("{:.2g}", least)

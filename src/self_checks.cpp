@@ -62,8 +62,9 @@ SelfCheck resolution(const Case& data, const mesh::Q8Mesh& mesh) {
 }  // namespace
 
 const char* status_name(CheckStatus status) {
-  return status == CheckStatus::kGood ? "good" : status == CheckStatus::kAttention ? "attention"
-                                                                                   : "bad";
+  return status == CheckStatus::kGood        ? "good"
+         : status == CheckStatus::kAttention ? "attention"
+                                             : "bad";
 }
 
 std::vector<std::string> warnings_of(const std::vector<SelfCheck>& checks) {
@@ -88,34 +89,35 @@ std::vector<SelfCheck> self_checks(const Case& data, const mesh::Q8Mesh& mesh,
                                    const std::vector<FrequencyReport>& reports) {
   if (reports.empty()) return {};
   using Report = FrequencyReport;
-  return {worst("residual", 1.001 * data.tolerance,
-                "how well the fluid's equation is solved, recomputed after the solution; if it "
-                "fails, give solver.method = \"dense\"",
-                reports, &Report::true_residual),
-          worst("exact residual", exact_residual_limit(data.tolerance),
-                "the same by the exact operator on 50 rows; if it fails, lower solver.tolerance or "
-                "give solver.method = \"dense\"",
-                reports, &Report::exact_residual),
-          worst("Green function", kKernelLimit,
-                "error of the table against the exact function, sampled; if it fails, do not trust "
-                "the results and report the case",
-                reports, &Report::kernel_error),
-          worst("reciprocity", kIdentityLimit,
-                "asymmetry of the fluid matrix, zero for the exact solution; a finer mesh lowers it",
-                reports, &Report::reciprocity_error),
-          worst("energy", kIdentityLimit,
-                "damping against the energy that the waves carry away; a finer mesh lowers it",
-                reports, &Report::energy_error),
-          worst("positive damping", kPassivityLimit,
-                "largest negative damping over the largest damping; motion must lose energy; a "
-                "finer mesh lowers it",
-                reports, &Report::passivity_error),
-          of_plate("orthonormal modes", modes.orthonormality_error, kOrthonormalityLimit,
-                   "modal mass against what it should be; if it fails, ask for fewer modes"),
-          of_plate("rigid modes", modes.rigid_force_error, kRigidLimit,
-                   "elastic force that a rigid motion meets; if it fails, the mesh lies too far "
-                   "from the origin or is distorted"),
-          resolution(data, mesh)};
+  return {
+      worst("residual", 1.001 * data.tolerance,
+            "how well the fluid's equation is solved, recomputed after the solution; if it "
+            "fails, give solver.method = \"dense\"",
+            reports, &Report::true_residual),
+      worst("exact residual", exact_residual_limit(data.tolerance),
+            "the same by the exact operator on 50 rows; if it fails, lower solver.tolerance or "
+            "give solver.method = \"dense\"",
+            reports, &Report::exact_residual),
+      worst("Green function", kKernelLimit,
+            "error of the table against the exact function, sampled; if it fails, do not trust "
+            "the results and report the case",
+            reports, &Report::kernel_error),
+      worst("reciprocity", kIdentityLimit,
+            "asymmetry of the fluid matrix, zero for the exact solution; a finer mesh lowers it",
+            reports, &Report::reciprocity_error),
+      worst("energy", kIdentityLimit,
+            "damping against the energy that the waves carry away; a finer mesh lowers it", reports,
+            &Report::energy_error),
+      worst("positive damping", kPassivityLimit,
+            "largest negative damping over the largest damping; motion must lose energy; a "
+            "finer mesh lowers it",
+            reports, &Report::passivity_error),
+      of_plate("orthonormal modes", modes.orthonormality_error, kOrthonormalityLimit,
+               "modal mass against what it should be; if it fails, ask for fewer modes"),
+      of_plate("rigid modes", modes.rigid_force_error, kRigidLimit,
+               "elastic force that a rigid motion meets; if it fails, the mesh lies too far "
+               "from the origin or is distorted"),
+      resolution(data, mesh)};
 }
 
 }  // namespace floe

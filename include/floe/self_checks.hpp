@@ -44,8 +44,8 @@ inline constexpr double kRigidLimit = 1e-12;
 
 /// The residual that the exact operator may leave of a solution to `tolerance`: that of the
 /// iteration, and twice what the fast operator was asked for (its sums are not asked for more than
-/// 1e-7, the exact integrals are good to 1e-8): once on the right-hand side's scale, once on that of
-/// the solution, which is no larger where I + κ𝒢 is well conditioned.
+/// 1e-7, the exact integrals are good to 1e-8): once on the right-hand side's scale, once on that
+/// of the solution, which is no larger where I + κ𝒢 is well conditioned.
 double exact_residual_limit(double tolerance);
 
 /// Residual of the fluid's equation, the same by the exact operator, error of the Green function's

@@ -276,7 +276,8 @@ void DirectoryStore::Impl::end_seas(const SeaGridReport& grid) {
 // What the run tells about itself, and warnings where that is not good
 void DirectoryStore::Impl::check_results() {
   account.checks = self_checks(data_, *mesh_, dry_, account.frequencies);
-  for (const std::string& warning : warnings_of(account.checks)) account.warnings.push_back(warning);
+  for (const std::string& warning : warnings_of(account.checks))
+    account.warnings.push_back(warning);
 }
 
 void DirectoryStore::Impl::end(const std::string& status) {

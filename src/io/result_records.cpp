@@ -173,8 +173,7 @@ SeaObservation observation_from(const Record& record) {
 }
 
 SeaGridReport sea_grid_from(const Record& record) {
-  return {as_list<double>(record.real("omega")), count_of<int>(record.number("headings")), 0.0,
-          0};
+  return {as_list<double>(record.real("omega")), count_of<int>(record.number("headings")), 0.0, 0};
 }
 
 Record record_of(const SeaGridReport& grid) {

@@ -28,7 +28,7 @@ struct RunAccount {
   std::vector<FrequencyReport> frequencies;
   std::vector<Resolution> resolution;  ///< of the case's frequencies
   std::vector<SelfCheck> checks;       ///< none before the end
-  SeaGridReport sea_grid;  ///< no frequency: no seas
+  SeaGridReport sea_grid;              ///< no frequency: no seas
   struct Sea {
     std::string name;
     double mean_heading_deg, significant_height, share_outside, grid_error;

@@ -33,9 +33,8 @@ void write_answers(const std::filesystem::path& folder, const Case& data,
                  comments(data, study,
                           "answers of the case's own mesh and modes, extrapolated to infinitely "
                           "fine elements, and their errors"),
-                 {"omega", "heading_deg", "point", "quantity", "re", "im", "abs",
-                  "extrapolated_re", "extrapolated_im", "extrapolated_abs", "mesh_error",
-                  "mode_error", "error"});
+                 {"omega", "heading_deg", "point", "quantity", "re", "im", "abs", "extrapolated_re",
+                  "extrapolated_im", "extrapolated_abs", "mesh_error", "mode_error", "error"});
   for (const StudiedAnswer& answer : study.answers) {
     table << answer.omega << answer.heading_deg << answer.point << response::name(answer.quantity)
           << answer.value << answer.extrapolated << answer.mesh_error << answer.mode_error
@@ -47,11 +46,12 @@ void write_answers(const std::filesystem::path& folder, const Case& data,
 
 void write_summary(const std::filesystem::path& folder, const Case& data,
                    const ConvergenceStudy& study) {
-  CsvTable table(folder / "convergence_summary.csv",
-                 comments(data, study,
-                          "largest error of each quantity, relative to its largest magnitude; order "
-                          "0: the answers do not settle"),
-                 {"omega", "quantity", "largest", "order", "mesh_error", "mode_error", "error"});
+  CsvTable table(
+      folder / "convergence_summary.csv",
+      comments(data, study,
+               "largest error of each quantity, relative to its largest magnitude; order "
+               "0: the answers do not settle"),
+      {"omega", "quantity", "largest", "order", "mesh_error", "mode_error", "error"});
   for (const StudiedGroup& group : study.groups) {
     table << group.omega << response::name(group.quantity) << group.largest << group.order
           << group.mesh_error << group.mode_error << group.mesh_error + group.mode_error;

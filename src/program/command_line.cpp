@@ -3,6 +3,7 @@
 #include "program/account.hpp"
 #include "program/commands.hpp"
 #include "program/exit_code.hpp"
+#include "program/mesh_command_line.hpp"
 #include "program/parse_errors.hpp"
 #include "program/signals.hpp"
 
@@ -81,7 +82,6 @@ double parse_time(const std::string& text) {
 // What the parser fills in
 struct Choice {
   RunOptions run;
-  RectangleMeshOptions rectangle;
   StatsOptions stats;
   ReportOptions report;
   std::string memory, max_time;
@@ -157,7 +157,8 @@ void add_converge(CLI::App& app, Choice& choice) {
       "converge", "solve on finer meshes and with more modes; tell the error of the answers");
   add_case_flags(command, choice);
   command
-      .add_option("-o", choice.run.output, "result folder (default: the case's name + .convergence)")
+      .add_option("-o", choice.run.output,
+                  "result folder (default: the case's name + .convergence)")
       ->type_name("DIR");
   command.add_flag("--fresh", choice.run.fresh, "replace the results of an earlier study");
   command.callback([&choice] { choice.action = [&choice] { tell_convergence(choice.run); }; });
@@ -190,24 +191,6 @@ void add_report(CLI::App& app, Choice& choice) {
   command.callback([&choice] { choice.action = [&choice] { make_report(choice.report); }; });
 }
 
-void add_mesh(CLI::App& app, Choice& choice) {
-  CLI::App& command = *app.add_subcommand("mesh", "make a mesh");
-  command.require_subcommand(1);
-  CLI::App& rectangle = *command.add_subcommand("rectangle", "mesh of a rectangle (Gmsh 4.1)");
-  mesh::RectangleOptions& options = choice.rectangle.rectangle;
-  rectangle.add_option("--length", options.length, "extent in x [m]")->required();
-  rectangle.add_option("--width", options.width, "extent in y [m]")->required();
-  rectangle.add_option("--nx", options.nx, "elements along x")->required();
-  rectangle.add_option("--ny", options.ny, "elements along y")->required();
-  rectangle.add_option("--grading", options.grading,
-                       "longest over shortest edge, 1 … 100; edges shrink towards the sides");
-  rectangle.add_option("-o", choice.rectangle.output, "file to write")
-      ->required()
-      ->type_name("FILE.msh");
-  rectangle.callback(
-      [&choice] { choice.action = [&choice] { make_rectangle_mesh(choice.rectangle); }; });
-}
-
 // A first word that is no command gets the nearest one named
 void refuse_unknown_command(const std::string& command) {
   const std::vector<std::string> known = {"run", "check", "converge", "stats", "report", "mesh"};
@@ -217,8 +200,9 @@ void refuse_unknown_command(const std::string& command) {
   const std::string nearest = io::nearest_name(command, known);
   throw UsageError(fmt::format(
       "unknown command {} ({})", command,
-      nearest.empty() ? "known are run, check, converge, stats, report, mesh; floe --help tells more"
-                      : "did you mean " + nearest + "?"));
+      nearest.empty()
+          ? "known are run, check, converge, stats, report, mesh; floe --help tells more"
+          : "did you mean " + nearest + "?"));
 }
 
 // Commands and flags of the documented interface that this version does not serve yet
@@ -231,9 +215,6 @@ void refuse_later_words(int argc, char** argv) {
   for (const char* later : {"status", "export", "merge", "init"})
     if (command == later) refuse("floe " + command);
   refuse_unknown_command(command);
-  const std::string shape = command == "mesh" && argc > 2 ? argv[2] : "";
-  for (const char* later : {"disc", "ring", "lshape", "modules"})
-    if (shape == later) refuse("floe mesh " + shape);
   for (int i = 1; i < argc; ++i) {
     const std::string word = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
     if (word == "--") return;
@@ -252,7 +233,7 @@ int parse_and_run(int argc, char** argv) {
   add_converge(app, choice);
   add_stats(app, choice);
   add_report(app, choice);
-  add_mesh(app, choice);
+  add_mesh_commands(app, choice.action);
   app.footer(kExamples);
   try {
     app.parse(argc, argv);

@@ -45,11 +45,11 @@ void tell_convergence(const RunOptions& options) {
                                            : options.output.string();
 
   // Solve on every mesh and tell what that gives
-  const ConvergenceStudy study = io::store_study(
-      output, options.fresh ? io::Existing::kReplace : io::Existing::kRefuse, data,
-      [&](const std::filesystem::path& folder) {
-        return study_convergence(data, folder, account);
-      });
+  const ConvergenceStudy study =
+      io::store_study(output, options.fresh ? io::Existing::kReplace : io::Existing::kRefuse, data,
+                      [&](const std::filesystem::path& folder) {
+                        return study_convergence(data, folder, account);
+                      });
   tell_groups(study, account);
   account.show_warnings();
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;

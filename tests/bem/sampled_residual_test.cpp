@@ -45,8 +45,7 @@ TEST(SampledResidual, IsTheResidualOfAWrongSolution) {
 TEST(SampledResidual, SeesWhatIsNotFinite) {
   Solved solved;
   solved.x(3, 0) = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(
-      std::isfinite(sampled_residual(solved.integrals, solved.green, solved.x, solved.b)));
+  EXPECT_FALSE(std::isfinite(sampled_residual(solved.integrals, solved.green, solved.x, solved.b)));
 }
 
 }  // namespace

@@ -66,12 +66,14 @@ std::vector<Fault> unreadable() {
       {3, "NulByte", 3, "not valid TOML",
        "title = \"a" + std::string(1, '\0') + "\"\n" + kCaseText},
       {3, "DeepNesting", 3, "not valid TOML", "a = " + std::string(20'000, '[')},
-      {3, "DeepTables", 3, "not valid TOML", [] {
+      {3, "DeepTables", 3, "not valid TOML",
+       [] {
          std::string text = "a = ";
          for (int i = 0; i < 20'000; ++i) text += "{a=";
          return text;
        }()},
-      {3, "LongDottedKey", 3, "", [] {
+      {3, "LongDottedKey", 3, "",
+       [] {
          std::string text = "a";
          for (int i = 0; i < 20'000; ++i) text += ".a";
          return text + " = 1\n" + kCaseText;
@@ -130,7 +132,8 @@ std::vector<Fault> wrong_physics() {
       {10, "TwoAxes", 3, "ambiguous waves.period beside waves.omega (must be exactly one of",
        with_waves("omega = [0.4]\nperiod = [9]")},
       {10, "NoAxis", 3, "missing waves (must hold one of omega", with_waves("")},
-      {11, "EmptyList", 3, "invalid waves.omega = [] (must not be empty)", with_waves("omega = []")},
+      {11, "EmptyList", 3, "invalid waves.omega = [] (must not be empty)",
+       with_waves("omega = []")},
       {11, "Unsorted", 0, "waves.omega sorted", with_waves("omega = [0.5, 0.4]")},
       {11, "Duplicates", 0, "waves.omega: 1 given twice dropped",
        with_waves("omega = [0.4, 0.5, 0.4]")},
@@ -139,8 +142,8 @@ std::vector<Fault> wrong_physics() {
       {11, "TooManyInAList", 6, "invalid waves.omega = a list of 100001",
        with_waves(long_list(100'001))},
       {12, "ShallowKh", 0, "results", with_depth("0.02"), kRun},
-      {12, "WavesShorterThanElements", 3, "invalid mesh resolution = ",
-       with_waves("omega = [30.0]")},
+      {12, "WavesShorterThanElements", 3,
+       "invalid mesh resolution = ", with_waves("omega = [30.0]")},
       {13, "PoissonOneHalf", 3, "invalid plate.poisson_ratio = 0.5", with("0.13", "0.5")},
       {13, "PoissonBelowMinusOne", 3, "invalid plate.poisson_ratio = -1", with("0.13", "-1")},
       {13, "ZeroThickness", 3, "invalid plate.thickness = 0 m",
@@ -155,18 +158,19 @@ std::vector<Fault> wrong_physics() {
       {14, "TwoModes", 3, "invalid modes.count = 2", kCaseText + "[modes]\ncount = 2\n"},
       {14, "MoreModesThanTheMeshHas", 3, "invalid modes.count = 56 (must be 3 to 55 for this mesh",
        kCaseText + "[modes]\ncount = 56\n"},
-      {15, "HeadingBeyondATurn", 3, "invalid waves.heading_deg[0] = 361 °", with("[0, 30]", "[361]")},
+      {15, "HeadingBeyondATurn", 3, "invalid waves.heading_deg[0] = 361 °",
+       with("[0, 30]", "[361]")},
       {15, "HeadingInRadians", 0, "look like radians (did you mean degrees?)",
        with("[0, 30]", "[0, 0.7854]")},
   };
-  for (const auto& [axis, unit] : {std::pair{"omega", "rad/s"}, std::pair{"period", "s"},
-                                   std::pair{"freq", "Hz"}, std::pair{"wavenumber", "rad/m"},
-                                   std::pair{"wavelength", "m"}})
+  for (const auto& [axis, unit] :
+       {std::pair{"omega", "rad/s"}, std::pair{"period", "s"}, std::pair{"freq", "Hz"},
+        std::pair{"wavenumber", "rad/m"}, std::pair{"wavelength", "m"}})
     for (const char* value : {"0", "-1", "inf", "nan"})
-      faults.push_back({9, fmt::format("{}{}", axis, std::string(value) == "-1" ? "Negative" : value),
-                        3, fmt::format("invalid waves.{}[0] = {} {} (must be positive)", axis,
-                                       value, unit),
-                        with_waves(fmt::format("{} = [{}]", axis, value))});
+      faults.push_back(
+          {9, fmt::format("{}{}", axis, std::string(value) == "-1" ? "Negative" : value), 3,
+           fmt::format("invalid waves.{}[0] = {} {} (must be positive)", axis, value, unit),
+           with_waves(fmt::format("{} = [{}]", axis, value))});
   return faults;
 }
 
@@ -185,8 +189,7 @@ std::vector<Fault> wrong_surroundings() {
   };
   const auto mesh_above = [=](const TestFolder& folder) {
     in("a b/ü/", "../../plate ö.msh")(folder);
-    run_floe(folder,
-             "mesh rectangle --length 300 --width 60 --nx 4 --ny 2 -o 'plate ö.msh'");
+    run_floe(folder, "mesh rectangle --length 300 --width 60 --nx 4 --ny 2 -o 'plate ö.msh'");
   };
   return {
       {16, "NoThreads", 2, "invalid --threads = 0 (must be 1 to 1024)", kCaseText,
@@ -194,8 +197,14 @@ std::vector<Fault> wrong_surroundings() {
       {16, "NegativeThreads", 2, "invalid --threads = -3", kCaseText, "run case.toml --threads -3"},
       {16, "TooManyThreads", 2, "invalid --threads = 100000", kCaseText,
        "run case.toml --threads 100000"},
-      {16, "MoreThreadsThanAllowed", 0, "2 threads asked for, the process may use 1 processor",
-       kCaseText, "run case.toml --threads 2", {}, "taskset -c 0"},
+      {16,
+       "MoreThreadsThanAllowed",
+       0,
+       "2 threads asked for, the process may use 1 processor",
+       kCaseText,
+       "run case.toml --threads 2",
+       {},
+       "taskset -c 0"},
       {17, "SpacesAndLettersAndParents", 0, "37 nodes", "", "check 'a b/ü/case.toml'", mesh_above},
       {17, "LongPath", 0, "37 nodes", "", "check " + deep + "case.toml", in(deep, "")},
       {17, "PathOfFiveThousandBytes", 3, "cannot read: File name too long", "",

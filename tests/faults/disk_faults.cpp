@@ -86,7 +86,8 @@ std::vector<Fault> disk_faults() {
          folder.write("target", "mine");
          std::filesystem::create_symlink("../target", folder.path() / "case.out/rao_points.csv");
        }},
-      {69, "MarkupInTitle", 0, "results", "title = \"<script>alert(1)</script>\"\n" + kCaseText, run},
+      {69, "MarkupInTitle", 0, "results", "title = \"<script>alert(1)</script>\"\n" + kCaseText,
+       run},
       {69, "NewlineInTitle", 3, "invalid title = ", "title = \"a\\nb\"\n" + kCaseText},
       {69, "PathAsPointName", 0, "results",
        kCaseText + "[output]\npoints = { \"../x\" = [0, 0] }\n", run},

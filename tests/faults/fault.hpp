@@ -13,14 +13,14 @@ namespace floe::test {
 /// One way to harm a run. Whatever happens, the program ends by itself, says one line of error or
 /// none, and writes nowhere but into its output directory `case.out`.
 struct Fault {
-  int row;           ///< of the list in rows.hpp
-  std::string name;  ///< CamelCase
-  int code;          ///< exit code
-  std::string says;  ///< part of the error, or of the output where there is none
-  std::string text = kCaseText;                           ///< of case.toml; empty: no such file
-  std::string arguments = "check case.toml";              ///< of the program
-  std::function<void(const TestFolder&)> prepare = {};    ///< what lies there besides
-  std::string before = {};                                ///< put before the program by the shell
+  int row;                       ///< of the list in rows.hpp
+  std::string name;              ///< CamelCase
+  int code;                      ///< exit code
+  std::string says;              ///< part of the error, or of the output where there is none
+  std::string text = kCaseText;  ///< of case.toml; empty: no such file
+  std::string arguments = "check case.toml";            ///< of the program
+  std::function<void(const TestFolder&)> prepare = {};  ///< what lies there besides
+  std::string before = {};                              ///< put before the program by the shell
 };
 
 inline std::ostream& operator<<(std::ostream& out, const Fault& fault) {

@@ -33,8 +33,14 @@ TEST(Finite, NamesThePhaseAndTheFrequency) {
       {"wavenumber", [](Result& r) { r.wavenumber = kInfinity; }},
       {"added mass", [](Result& r) { r.added_mass(1, 2) = kNan; }},
       {"damping", [](Result& r) { r.damping(3, 3) = -kInfinity; }},
-      {"exciting force", [](Result& r) { r.exciting_force(0, 1) = {0.0, kNan}; }},
-      {"modal amplitudes", [](Result& r) { r.amplitudes(2, 0) = {kInfinity, 0.0}; }},
+      {"exciting force",
+       [](Result& r) {
+         r.exciting_force(0, 1) = {0.0, kNan};
+       }},
+      {"modal amplitudes",
+       [](Result& r) {
+         r.amplitudes(2, 0) = {kInfinity, 0.0};
+       }},
       {"deflection along lines", [](Result& r) { r.line_deflection(4, 1) = kNan; }},
       {"deflection at points", [](Result& r) { r.point_deflection(1, 1) = kNan; }},
       {"quantity at points", [](Result& r) { r.point_quantities[1](0, 0) = kNan; }},

@@ -14,8 +14,10 @@ std::string case_on(const std::string& name) {
 
 Fault mesh_fault(int row, const std::string& name, int code, const std::string& says,
                  const std::string& bytes, const std::string& arguments = "check case.toml") {
-  return {row, name, code, says, case_on("plate.msh"), arguments,
-          [bytes](const TestFolder& folder) { folder.write("plate.msh", bytes); }};
+  return {
+      row, name, code, says, case_on("plate.msh"), arguments, [bytes](const TestFolder& folder) {
+        folder.write("plate.msh", bytes);
+      }};
 }
 
 std::string scaled_22(double factor) {
@@ -66,9 +68,11 @@ std::vector<Fault> wrong_counts() {
 std::vector<Fault> wrong_shapes() {
   const std::string square = square_22();
   return {
-      mesh_fault(21, "NanCoordinate", 4, "plate.msh:11: invalid coordinate y (must be a finite number)",
+      mesh_fault(21, "NanCoordinate", 4,
+                 "plate.msh:11: invalid coordinate y (must be a finite number)",
                  replaced(square, "6 2 1 0", "6 2 nan 0")),
-      mesh_fault(21, "InfCoordinate", 4, "plate.msh:11: invalid coordinate y (must be a finite number)",
+      mesh_fault(21, "InfCoordinate", 4,
+                 "plate.msh:11: invalid coordinate y (must be a finite number)",
                  replaced(square, "6 2 1 0", "6 2 inf 0")),
       mesh_fault(21, "Millimetres", 3, "invalid mesh resolution", scaled_22(3e5)),
       mesh_fault(21, "MillimetresAllowed", 0, "(is the mesh in metres?)", scaled_22(3e6),
@@ -88,7 +92,8 @@ std::vector<Fault> wrong_shapes() {
                  replaced(square, "1 2 3 4 5 6 7 8\n$", "1 4 3 2 8 7 6 5\n$")),
       mesh_fault(26, "SameElementTwice", 4, "element",
                  square_22("", 0, "2 16 2 0 1 1 2 3 4 5 6 7 8\n", 1)),
-      mesh_fault(26, "OverlappingPlates", 4, "hanging nodes = 4 (elements must meet", two_squares(-0.5)),
+      mesh_fault(26, "OverlappingPlates", 4, "hanging nodes = 4 (elements must meet",
+                 two_squares(-0.5)),
       mesh_fault(27, "AboveTheWater", 4, "invalid z = 0 to 0.1 m",
                  replaced(square, "7 1 2 0", "7 1 2 0.1")),
   };

@@ -27,8 +27,9 @@ std::string sea(const std::string& from, const std::string& to) {
 std::vector<Fault> sea_faults() {
   const std::string run = "run case.toml --allow-coarse";
   const std::string jonswap = "spectrum = \"jonswap\"\npeak_period = 10.0\ngamma = ";
-  const std::string old = "spectrum = \"bretschneider\"\nsignificant_height = 2.0\n"
-                          "significant_period = 10.0\n";
+  const std::string old =
+      "spectrum = \"bretschneider\"\nsignificant_height = 2.0\n"
+      "significant_period = 10.0\n";
   const auto peaked = [&](const std::string& gamma) {
     return sea(old, jonswap + gamma + "\nsignificant_height = 2.0\n");
   };
@@ -59,10 +60,8 @@ std::vector<Fault> sea_faults() {
       {38, "DuplicateFrequencies", 5, "must be greater than the one before",
        table("[0.4, 0.4]", "[1, 1]")},
       {38, "NoEnergy", 5, "(must hold energy)", table("[0.4, 0.5]", "[0, 0]")},
-      {38, "RaggedTable", 5, "must be as long as omega, 3",
-       table("[0.4, 0.5, 0.6]", "[1, 1]")},
-      {39, "NoHeading", 5, "missing sea[0].mean_heading_deg",
-       sea("mean_heading_deg = [0]\n", "")},
+      {38, "RaggedTable", 5, "must be as long as omega, 3", table("[0.4, 0.5, 0.6]", "[1, 1]")},
+      {39, "NoHeading", 5, "missing sea[0].mean_heading_deg", sea("mean_heading_deg = [0]\n", "")},
   };
 }
 

@@ -41,13 +41,13 @@ bool can_preload() {
 
 TEST(Locale, WithADecimalCommaGivesTheSameBytes) {
   const TestFolder folder;
-  const std::string made = "localedef -i de_DE -f UTF-8 '" + folder.path().string() +
-                           "/de_DE.UTF-8' >/dev/null 2>&1";
+  const std::string made =
+      "localedef -i de_DE -f UTF-8 '" + folder.path().string() + "/de_DE.UTF-8' >/dev/null 2>&1";
   ASSERT_EQ(std::system(made.c_str()), 0) << "the package locales is missing";
   folder.write("case.toml", kCaseText + kOutput);
   const std::string german = "LOCPATH='" + folder.path().string() + "' LC_ALL=de_DE.UTF-8";
-  const std::string proof = german + " sh -c 'locale decimal_point' >'" + folder.path().string() +
-                            "/point' 2>/dev/null";
+  const std::string proof =
+      german + " sh -c 'locale decimal_point' >'" + folder.path().string() + "/point' 2>/dev/null";
   ASSERT_EQ(std::system(proof.c_str()), 0);
   ASSERT_EQ(folder.read("point"), ",\n");
   ASSERT_EQ(run_floe(folder, "run case.toml -o c", "LC_ALL=C").code, 0);
@@ -63,7 +63,8 @@ TEST(Blas, ThatCannotMultiplyIsNamedAtTheStart) {
   const ProgramResult result =
       run_floe(folder, "run case.toml", std::string("LD_PRELOAD=") + FLOE_WRONG_BLAS);
   EXPECT_EQ(result.code, 1);
-  EXPECT_THAT(result.error, HasSubstr("the BLAS library computes wrongly: error of a real product"));
+  EXPECT_THAT(result.error,
+              HasSubstr("the BLAS library computes wrongly: error of a real product"));
   EXPECT_THAT(result.error, HasSubstr("no such core"));
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "case.out"));
 }

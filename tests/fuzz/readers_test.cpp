@@ -27,7 +27,8 @@ std::vector<std::string> corpus_of(const std::string& target) {
 // One of a few small changes: a byte, a piece left out, doubled or taken from another file
 std::string changed(std::string bytes, const std::string& other, std::mt19937& random) {
   const auto below = [&](std::size_t limit) { return limit == 0 ? 0 : random() % limit; };
-  const std::size_t at = below(bytes.size()), length = below(std::min<std::size_t>(64, bytes.size()));
+  const std::size_t at = below(bytes.size()),
+                    length = below(std::min<std::size_t>(64, bytes.size()));
   switch (random() % 5) {
     case 0:
       if (!bytes.empty()) bytes[at] = static_cast<char>(random());
