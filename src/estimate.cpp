@@ -119,11 +119,6 @@ StageEstimate estimate_seas(const Sizes& s, const StageEstimate& radiation, int 
 
 }  // namespace
 
-const char* method_name(SolverMethod method) {
-  constexpr std::array<const char*, 5> names = {"auto", "dense", "lattice", "pfft", "fmm"};
-  return names[static_cast<std::size_t>(method)];
-}
-
 SolverMethod resolve_method(const Case& data, const mesh::Q8Mesh& mesh) {
   if (data.method != SolverMethod::kAuto) return data.method;
   if (static_cast<double>(mesh.node_count()) <= kLargestDense) return SolverMethod::kDense;

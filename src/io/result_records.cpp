@@ -29,7 +29,12 @@ Count count_of(double value) {
 template <typename Number>
 std::vector<Number> as_list(const MatXd& values) {
   std::vector<Number> list;
-  for (Index i = 0; i < values.size(); ++i) list.push_back(static_cast<Number>(values(i)));
+  for (Index i = 0; i < values.size(); ++i) {
+    if constexpr (std::is_same_v<Number, double>)
+      list.push_back(values(i));
+    else
+      list.push_back(count_of<Number>(values(i)));
+  }
   return list;
 }
 

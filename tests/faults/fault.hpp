@@ -36,8 +36,6 @@ std::vector<Fault> sea_faults();       ///< rows 36 … 41
 std::vector<Fault> resource_faults();  ///< rows 42 … 55
 std::vector<Fault> disk_faults();      ///< rows 56 … 72
 
-/// The case with a line added to one of its sections.
-std::string with_line(const std::string& section, const std::string& line);
 /// The case on a mesh file.
 std::string with_mesh_file(const std::string& name);
 

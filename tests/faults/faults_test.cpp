@@ -109,10 +109,6 @@ void expect_survived(const Fault& fault) {
     EXPECT_TRUE(after.contains(name) || may_change(name, fault.code)) << name << " is gone";
 }
 
-std::string with_line(const std::string& section, const std::string& line) {
-  return with("[" + section + "]\n", "[" + section + "]\n" + line + "\n");
-}
-
 std::string with_mesh_file(const std::string& name) {
   return with("rectangle = { length = 300.0, width = 60.0, nx = 4, ny = 2 }",
               "file = \"" + name + "\"");
