@@ -38,6 +38,8 @@ void require_finite(const FrequencyResult& result) {
 
 void require_finite(const SeaTransfer& transfer) {
   require(transfer.state, "transfer function", transfer.omega);
+  for (const MatXcd& zone : transfer.zone_states)
+    require(zone, "transfer function of a zone", transfer.omega);
 }
 
 }  // namespace floe
