@@ -4,6 +4,7 @@
 
 #include "io/record.hpp"
 #include "io/result_records.hpp"
+#include "io/scatter_csv.hpp"
 #include "mesh/gmsh_content.hpp"
 
 #include <floe/io/case_file.hpp>
@@ -79,6 +80,10 @@ const std::vector<Target>& targets() {
   static const std::vector<Target> all = {
       {"case", [](std::string_view bytes) { io::read_case(MemoryFile(bytes).path()); }},
       {"sea", [](std::string_view bytes) { io::read_sea_file(MemoryFile(bytes).path()); }},
+      {"scatter",
+       [](std::string_view bytes) {
+         io::read_scatter_diagram(MemoryFile(bytes).path(), wave::PeriodType::kPeak);
+       }},
       {"gmsh", [](std::string_view bytes) { mesh::read_gmsh_bytes(bytes, "fuzz.msh"); }},
       {"record", [](std::string_view bytes) { io::Record::read(MemoryFile(bytes).path()); }},
       {"results", read_results},
