@@ -1,4 +1,3 @@
-#include <floe/preflight.hpp>
 #include <floe/self_checks.hpp>
 
 #include <fmt/format.h>
@@ -41,14 +40,14 @@ SelfCheck of_plate(const std::string& name, double value, double limit,
           .meaning = meaning};
 }
 
-SelfCheck resolution(const Case& data, const mesh::Q8Mesh& mesh) {
+SelfCheck fewest_nodes(const std::vector<Resolution>& resolution) {
   SelfCheck check{.name = kResolutionName,
                   .value = std::numeric_limits<double>::infinity(),
                   .limit = kNodesWanted,
                   .meaning =
                       "how well the mesh follows the shorter of the water's and the plate's "
                       "waves; with fewer, refine the mesh"};
-  for (const Resolution& r : preflight(data, mesh).resolution)
+  for (const Resolution& r : resolution)
     if (r.least_nodes() < check.value) {
       check.value = r.least_nodes();
       check.omega = r.omega;
@@ -84,7 +83,7 @@ double exact_residual_limit(double tolerance) {
   return 1.001 * tolerance + 2.0 * (std::max(tolerance, kLeastSumTolerance) + kIntegralTolerance);
 }
 
-std::vector<SelfCheck> self_checks(const Case& data, const mesh::Q8Mesh& mesh,
+std::vector<SelfCheck> self_checks(const Case& data, const std::vector<Resolution>& resolution,
                                    const plate::DryModes& modes,
                                    const std::vector<FrequencyReport>& reports) {
   if (reports.empty()) return {};
@@ -117,7 +116,7 @@ std::vector<SelfCheck> self_checks(const Case& data, const mesh::Q8Mesh& mesh,
       of_plate("rigid modes", modes.rigid_force_error, kRigidLimit,
                "elastic force that a rigid motion meets; if it fails, the mesh lies too far "
                "from the origin or is distorted"),
-      resolution(data, mesh)};
+      fewest_nodes(resolution)};
 }
 
 }  // namespace floe

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <floe/analysis.hpp>
+#include <floe/preflight.hpp>
 
 #include <string>
 #include <vector>
@@ -52,7 +53,7 @@ double exact_residual_limit(double tolerance);
 /// table, symmetry of the fluid matrix, radiated energy, damping without a negative eigenvalue,
 /// orthonormal modes, rigid modes without force, nodes a wavelength. Empty without a finished
 /// frequency.
-std::vector<SelfCheck> self_checks(const Case& data, const mesh::Q8Mesh& mesh,
+std::vector<SelfCheck> self_checks(const Case& data, const std::vector<Resolution>& resolution,
                                    const plate::DryModes& modes,
                                    const std::vector<FrequencyReport>& reports);
 

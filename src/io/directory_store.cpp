@@ -276,14 +276,14 @@ void DirectoryStore::Impl::end_seas(const SeaGridReport& grid) {
 
 // What the run tells about itself, and warnings where that is not good
 void DirectoryStore::Impl::check_results() {
-  account.checks = self_checks(data_, *mesh_, dry_, account.frequencies);
+  account.checks = self_checks(data_, account.resolution, dry_, account.frequencies);
   for (const std::string& warning : warnings_of(account.checks))
     account.warnings.push_back(warning);
 }
 
 void DirectoryStore::Impl::end(const std::string& status) {
-  if (mesh_) check_results();
   mesh_ = nullptr;
+  check_results();
   if (!tables_) return;
   if (account.frequencies.empty()) {
     tables_.reset();

@@ -170,7 +170,8 @@ Json checks_json(const ReportContent& content) {
   Json checks = Json::array();
   std::vector<FrequencyReport> reports;
   for (const FrequencyResult& result : content.results) reports.push_back(result.report);
-  for (const SelfCheck& check : self_checks(content.data, content.mesh, content.modes, reports))
+  for (const SelfCheck& check : self_checks(
+           content.data, preflight(content.data, content.mesh).resolution, content.modes, reports))
     checks.push_back({{"name", check.name},
                       {"value", check.value},
                       {"threshold", check.limit},
