@@ -77,6 +77,20 @@ std::vector<SeaResult> StoredRun::seas() const {
   }
 }
 
+RunResults StoredRun::results() const {
+  RunResults results;
+  results.data = data_;
+  results.data.text = text_;
+  results.fluid_mesh = fluid_mesh();
+  results.mode_mesh = mode_mesh();
+  results.modes = modes();
+  results.frequencies = frequencies();
+  results.seas = seas();
+  results.stages = stages_;
+  results.warnings = warnings_;
+  return results;
+}
+
 bool StoredRun::has_transfers() const { return std::filesystem::exists(record(kObservation)); }
 
 SeaObservation StoredRun::observation() const {

@@ -23,6 +23,11 @@ struct CaseFile {
 /// that it names is not there; BudgetError when it asks for more than 100 000 frequencies.
 CaseFile read_case(const std::filesystem::path& path);
 
+/// The same for a case that is at hand as text; `name` stands in messages for the file's, `folder`
+/// is where relative paths begin.
+CaseFile read_case_text(const std::string& text, const std::string& name,
+                        const std::filesystem::path& folder);
+
 /// Reads the `[[sea]]` sections of a file that holds nothing else.
 /// Throws DataError with the place, also when there is none.
 std::vector<wave::SeaState> read_sea_file(const std::filesystem::path& path);

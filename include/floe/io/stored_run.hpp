@@ -1,6 +1,6 @@
 #pragma once
 
-#include <floe/analysis.hpp>
+#include <floe/run_results.hpp>
 
 #include <filesystem>
 #include <optional>
@@ -32,6 +32,7 @@ class StoredRun {
   plate::DryModes modes() const;
   std::vector<FrequencyResult> frequencies() const;  ///< those that were finished, without fields
   std::vector<SeaResult> seas() const;
+  RunResults results() const;  ///< all of these, without transfer functions and notices
 
   /// Whether transfer functions for seas are there.
   bool has_transfers() const;
