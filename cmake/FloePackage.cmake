@@ -32,7 +32,7 @@ set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "${CPACK_PACKAGE_DESCRIPTION_SUMMARY}
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libfloe-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libeigen3-dev (>= 3.4), libfftw3-dev, \
-libopenblas-dev | liblapack-dev, libsuitesparse-dev, zlib1g-dev, libfmt-dev")
+libopenblas-dev | liblapack-dev, libsuitesparse-dev, libnetcdf-dev, zlib1g-dev, libfmt-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION
   "hydroelastic response of very large floating structures, library
  How a very large floating structure bends in waves: Mindlin plate, boundary

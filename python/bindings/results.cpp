@@ -162,6 +162,7 @@ py::dict dictionary_of(const RunResults& results) {
   all["added_mass"] = by_mode(waves, &FrequencyResult::added_mass);
   all["damping"] = by_mode(waves, &FrequencyResult::damping);
   all["exciting_force"] = by_wave(waves, &FrequencyResult::exciting_force);
+  all["froude_krylov_force"] = by_wave(waves, &FrequencyResult::froude_krylov_force);
   all["amplitudes"] = by_wave(waves, &FrequencyResult::amplitudes);
   all["points"] = named_points(results.data.points);
   all["point_deflection"] = by_wave(waves, &FrequencyResult::point_deflection);

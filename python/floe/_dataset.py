@@ -52,12 +52,15 @@ def _modes(result: Result, names: list[str], unit: np.ndarray) -> dict[str, Any]
     matrix = unit[:, np.newaxis] * unit
     pair = ("omega", "influenced_dof", "radiating_dof")
     wave = (*_WAVE, "influenced_dof")
+    incident = result.froude_krylov_force * unit
     return {
         "influenced_dof": ("influenced_dof", names),
         "radiating_dof": ("radiating_dof", names),
         "added_mass": (pair, result.added_mass * matrix, {"long_name": "Added mass"}),
         "radiation_damping": (pair, result.damping * matrix, {"long_name": "Radiation damping"}),
         "excitation_force": (wave, result.exciting_force * unit, {"long_name": "Excitation force"}),
+        "Froude_Krylov_force": (wave, incident, {"long_name": "Froude Krylov force"}),
+        "diffraction_force": (wave, result.exciting_force * unit - incident, {"long_name": "Diffraction force"}),
         "RAO": (wave, result.amplitudes / unit, {"long_name": "Response amplitude operator"}),
         "mode_frequency": (
             "influenced_dof",

@@ -145,6 +145,8 @@ class Result:
     """[1/s], likewise."""
     exciting_force: NDArray[np.complex128]
     """Frequencies × headings × modes [N/(m √kg)]."""
+    froude_krylov_force: NDArray[np.complex128]
+    """The share of the incident waves in it."""
     amplitudes: NDArray[np.complex128]
     """Of the modes, frequencies × headings × modes [√kg]."""
     points: dict[str, tuple[float, float]]

@@ -56,15 +56,24 @@ std::string read_title(const Section& root) {
 
 }  // namespace
 
-std::vector<wave::SeaState> read_sea_file(const std::filesystem::path& path) {
+SeaFile read_sea_file(const std::filesystem::path& path) {
   CaseSource source{.name = path.string(), .notices = {}, .warnings = {}};
   try {
     const std::string content = read_regular_file(path, kLargestFile);
     require_content(content, source, "sea states");
     const toml::table table = parse(content, source);
-    const Section root(table, "", source, {"sea"});
-    root.require("sea", "required: sea states [[sea]]");
-    return read_sea_states(root);
+    const Section root(table, "", source, {"sea", "scatter"});
+    if (!root.find("scatter")) root.require("sea", "required: sea states [[sea]], or [[scatter]]");
+    SeaFile file{read_sea_states(root, path.parent_path()),
+                 read_wave_climates(root, path.parent_path()),
+                 {}};
+    for (const wave::SeaState& sea : file.seas)
+      FLOE_VALIDATE_AS(DataError, !sea.zones,
+                       source.name << ": sea " << sea.name
+                                   << " has zones (must stand in the case: its waves need the "
+                                      "fluid's pressures, which a run does not keep)");
+    file.notices = std::move(source.notices);
+    return file;
   } catch (const DataError&) {
     throw;
   } catch (const InputError& error) {
@@ -98,7 +107,7 @@ CaseFile read_case_text(const std::string& text, const std::string& name,
   read_waves(root, file.data);
   read_solver(root, file.data);
   read_output(root, file.data);
-  read_seas(root, file.data);
+  read_seas(root, folder, file.data);
   file.notices = std::move(source.notices);
   file.warnings = std::move(source.warnings);
   return file;

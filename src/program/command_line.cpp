@@ -2,6 +2,7 @@
 
 #include "program/commands.hpp"
 #include "program/exit_code.hpp"
+#include "program/mesh_command_line.hpp"
 #include "program/parse_errors.hpp"
 #include "program/signals.hpp"
 
@@ -30,6 +31,7 @@ Examples:
   floe run plate.toml -o out --threads 8  another folder, eight threads
   floe report table1.out                  one page to look at: table1.out/report.html
   floe stats table1_seas.out --sea storm.toml   other seas, without solving again
+  floe export table1.out --format netcdf --rigid-only   six motions, for other programs
   floe mesh rectangle --length 300 --width 60 --nx 50 --ny 10 -o plate.msh
 
 Exit codes: 0 done, 2 command line, 3 case file, 4 mesh, 5 sea states, 6 memory, 7 files, 8 not converged,
@@ -79,9 +81,9 @@ double parse_time(const std::string& text) {
 // What the parser fills in
 struct Choice {
   RunOptions run;
-  RectangleMeshOptions rectangle;
   StatsOptions stats;
   ReportOptions report;
+  ExportOptions exported;
   std::string memory, max_time;
   std::function<void()> action;  // what the chosen command does
 };
@@ -177,34 +179,42 @@ void add_report(CLI::App& app, Choice& choice) {
   command.callback([&choice] { choice.action = [&choice] { make_report(choice.report); }; });
 }
 
-void add_mesh(CLI::App& app, Choice& choice) {
-  CLI::App& command = *app.add_subcommand("mesh", "make a mesh");
-  command.require_subcommand(1);
-  CLI::App& rectangle = *command.add_subcommand("rectangle", "mesh of a rectangle (Gmsh 4.1)");
-  mesh::RectangleOptions& options = choice.rectangle.rectangle;
-  rectangle.add_option("--length", options.length, "extent in x [m]")->required();
-  rectangle.add_option("--width", options.width, "extent in y [m]")->required();
-  rectangle.add_option("--nx", options.nx, "elements along x")->required();
-  rectangle.add_option("--ny", options.ny, "elements along y")->required();
-  rectangle.add_option("--grading", options.grading,
-                       "longest over shortest edge, 1 … 100; edges shrink towards the sides");
-  rectangle.add_option("-o", choice.rectangle.output, "file to write")
+void add_export(CLI::App& app, Choice& choice) {
+  CLI::App& command =
+      *app.add_subcommand("export", "write the results of a run as files of other programs");
+  ExportOptions& options = choice.exported;
+  command.add_option("directory", options.directory, "results of a run")
       ->required()
-      ->type_name("FILE.msh");
-  rectangle.callback(
-      [&choice] { choice.action = [&choice] { make_rectangle_mesh(choice.rectangle); }; });
+      ->type_name("DIR");
+  command.add_option("--format", options.format, "netcdf (as capytaine's) or wamit")
+      ->required()
+      ->type_name("FORMAT")
+      ->check(one_of("--format", "netcdf or wamit",
+                     [](const std::string& text) { return text == "netcdf" || text == "wamit"; }));
+  CLI::Option* rigid = command.add_flag("--rigid-only", options.rigid_only,
+                                        "surge to yaw of each plate, no elastic modes");
+  command
+      .add_flag("--all-dofs", options.all_dofs, "surge to yaw of each plate, then elastic modes")
+      ->excludes(rigid);
+  command
+      .add_option("--length", options.length, "length of WAMIT's normalisation [m] (default: 1)")
+      ->type_name("L");
+  command.add_option("-o", options.output, "file to write; for wamit without its suffix")
+      ->type_name("FILE");
+  command.callback(
+      [&choice] { choice.action = [&choice] { export_for_others(choice.exported); }; });
 }
 
 // A first word that is no command gets the nearest one named
 void refuse_unknown_command(const std::string& command) {
-  const std::vector<std::string> known = {"run", "check", "stats", "report", "mesh"};
+  const std::vector<std::string> known = {"run", "check", "stats", "report", "export", "mesh"};
   if (command.empty() || command[0] == '-' ||
       std::find(known.begin(), known.end(), command) != known.end())
     return;
   const std::string nearest = io::nearest_name(command, known);
   throw UsageError(fmt::format(
       "unknown command {} ({})", command,
-      nearest.empty() ? "known are run, check, stats, report, mesh; floe --help tells more"
+      nearest.empty() ? "known are run, check, stats, report, export, mesh; floe --help tells more"
                       : "did you mean " + nearest + "?"));
 }
 
@@ -215,12 +225,9 @@ void refuse_later_words(int argc, char** argv) {
         fmt::format("{} is not available yet in this version ({})", word, FLOE_VERSION));
   };
   const std::string command = argc > 1 ? argv[1] : "";
-  for (const char* later : {"status", "export", "merge", "converge", "init"})
+  for (const char* later : {"status", "merge", "converge", "init"})
     if (command == later) refuse("floe " + command);
   refuse_unknown_command(command);
-  const std::string shape = command == "mesh" && argc > 2 ? argv[2] : "";
-  for (const char* later : {"disc", "ring", "lshape", "modules"})
-    if (shape == later) refuse("floe mesh " + shape);
   for (int i = 1; i < argc; ++i) {
     const std::string word = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
     if (word == "--") return;
@@ -238,7 +245,8 @@ int parse_and_run(int argc, char** argv) {
   add_check(app, choice);
   add_stats(app, choice);
   add_report(app, choice);
-  add_mesh(app, choice);
+  add_export(app, choice);
+  add_mesh_commands(app, choice.action);
   app.footer(kExamples);
   try {
     app.parse(argc, argv);

@@ -2,6 +2,8 @@
 
 #include "program/account.hpp"
 
+#include <floe/mesh/shapes.hpp>
+
 #include <filesystem>
 
 /// The commands of the program, one function each. They throw; `run_command_line` turns what they
@@ -44,13 +46,25 @@ struct ReportOptions {
 /// Writes the report of a run, one HTML page.
 void make_report(const ReportOptions& options);
 
-struct RectangleMeshOptions {
-  mesh::RectangleOptions rectangle;
+struct ExportOptions {
+  std::filesystem::path directory;  ///< of a run
+  std::string format;               ///< "netcdf" or "wamit"
+  bool rigid_only = false;          ///< the six rigid motions of each body and nothing else
+  bool all_dofs = false;            ///< these and the elastic modes
+  double length = 1.0;              ///< of WAMIT's normalisation [m]
+  std::filesystem::path output;     ///< file or, for WAMIT, files' stem; empty: in the directory
+};
+
+/// Writes a run as files that other programs read.
+void export_for_others(const ExportOptions& options);
+
+struct MeshOptions {
+  mesh::Shape shape;
   std::filesystem::path output;
 };
 
-/// Writes the mesh of a rectangle.
-void make_rectangle_mesh(const RectangleMeshOptions& options);
+/// Writes the mesh of a shape.
+void make_mesh(const MeshOptions& options);
 
 /// The case with what the command line adds to it; tells notices and warnings of the reading.
 Case read_case_for(const RunOptions& options, Account& account);
