@@ -1,9 +1,10 @@
 import unittest
 
 import numpy as np
+import xarray
 
 import floe
-from support import case, small_result
+from support import CASE, InFolder, case, small_result
 
 
 class TheDataSet(unittest.TestCase):
@@ -49,6 +50,30 @@ class TheDataSet(unittest.TestCase):
         across = data["line_deflection_rao"][:, :, data["station_line"].values == "across"]
         np.testing.assert_array_equal(across, result.lines["across"].deflection)
         np.testing.assert_array_equal(data["wave_elevation_rao"].sel(wave_point="lee"), result.wave_elevation[:, :, 0])
+
+
+class ResultNc(InFolder):
+    def test_holds_the_same_under_the_same_names(self):
+        try:
+            import netCDF4  # noqa: F401
+        except ImportError:
+            self.skipTest("no netCDF4 (scripts/setup installs it)")
+        mine = floe.run(CASE, self.folder / "out").to_xarray()
+        with xarray.open_dataset(self.folder / "out/result.nc") as opened:
+            file = opened.load()
+        self.assertEqual([str(name) for name in file["influenced_dof"].values], list(mine["influenced_dof"].values))
+        compared = 0
+        for name in mine.variables:
+            if name not in file.variables or not np.issubdtype(mine[name].dtype, np.number):
+                continue
+            values = file[name]
+            if "complex" in values.dims:
+                values = values.isel(complex=0) + 1j * values.isel(complex=1)
+            self.assertEqual(values.dims, mine[name].dims, name)
+            largest = abs(values.values).max()
+            np.testing.assert_allclose(mine[name].values, values.values, rtol=1e-9, atol=1e-12 * largest, err_msg=name)
+            compared += 1
+        self.assertGreater(compared, 18)
 
 
 class Seas(unittest.TestCase):
