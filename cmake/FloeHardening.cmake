@@ -1,6 +1,5 @@
 # Hardens Release builds as Debian's packages are (dpkg-buildflags with hardening=+all): positions
 # of code unknown to an attacker, stack and library calls checked, tables of the linker read-only.
-# docs/howto/install.md tells what it costs.
 include(CheckPIESupported)
 check_pie_supported()
 add_compile_options("$<$<CONFIG:Release>:-fstack-protector-strong;-Wformat;-Werror=format-security>")
