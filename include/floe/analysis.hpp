@@ -1,6 +1,6 @@
 #pragma once
 
-#include <floe/mesh/gmsh.hpp>
+#include <floe/mesh/mesh_file.hpp>
 #include <floe/mesh/q8_mesh.hpp>
 #include <floe/mesh/rectangle.hpp>
 #include <floe/numeric/types.hpp>

@@ -124,16 +124,13 @@ void add_mesh(VtuDocument& document, const mesh::Q8Mesh& mesh) {
   document.line("      </Cells>");
 }
 
-// A whole grid: what describes it, the point data and the mesh
-template <typename PointData>
-void write_grid(const std::filesystem::path& path, const mesh::Q8Mesh& mesh,
-                const std::vector<std::pair<std::string, double>>& described, PointData add_data) {
-  VtuDocument document;
-  document.line("<?xml version=\"1.0\"?>");
-  document.line(
-      "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
-      "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">");
-  document.line("  <UnstructuredGrid>");
+constexpr const char* kFileAttributes =
+    "version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\" "
+    "compressor=\"vtkZLibDataCompressor\"";
+
+using Described = std::vector<std::pair<std::string, double>>;
+
+void add_described(VtuDocument& document, const Described& described) {
   document.line("    <FieldData>");
   for (const auto& [name, value] : described)
     document.line(
@@ -141,6 +138,17 @@ void write_grid(const std::filesystem::path& path, const mesh::Q8Mesh& mesh,
                     "format=\"ascii\">{}</DataArray>",
                     name, shortest(value)));
   document.line("    </FieldData>");
+}
+
+// A whole grid: what describes it, the point data and the mesh
+template <typename PointData>
+void write_grid(const std::filesystem::path& path, const mesh::Q8Mesh& mesh,
+                const Described& described, PointData add_data) {
+  VtuDocument document;
+  document.line("<?xml version=\"1.0\"?>");
+  document.line(fmt::format("<VTKFile type=\"UnstructuredGrid\" {}>", kFileAttributes));
+  document.line("  <UnstructuredGrid>");
+  add_described(document, described);
   document.line(fmt::format("    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">",
                             mesh.node_count(), mesh.element_count()));
   add_data(document);
@@ -173,6 +181,61 @@ void write_vtu(const std::filesystem::path& path, const mesh::Q8Mesh& mesh,
   require_finite(field, path);
   write_grid(path, mesh, {{"omega", field.omega}, {"heading_deg", field.heading_deg}},
              [&](VtuDocument& document) { add_point_data(document, field); });
+}
+
+void write_phase_vtu(const std::filesystem::path& path, const mesh::Q8Mesh& mesh,
+                     const NodeField& field, double phase) {
+  require_finite(field, path);
+  const Complex turn = std::polar(1.0, -phase);
+  const auto now = [turn](const Complex& z) { return (z * turn).real(); };
+  std::vector<double> displacement;
+  for (const Complex& w : field.deflection)
+    displacement.insert(displacement.end(), {0.0, 0.0, now(w)});
+  write_grid(path, mesh,
+             {{"omega", field.omega}, {"heading_deg", field.heading_deg}, {"phase", phase}},
+             [&](VtuDocument& document) {
+               document.line("      <PointData Scalars=\"w\" Vectors=\"displacement\">");
+               add_scalars(document, "w", field.deflection, now);
+               document.add("displacement", "Float64", 3, displacement);
+               add_scalars(document, "p", field.pressure, now);
+               document.line("      </PointData>");
+             });
+}
+
+Points2 PointGrid::points() const {
+  Points2 positions(2, columns * rows);
+  for (Index j = 0; j < rows; ++j)
+    for (Index i = 0; i < columns; ++i)
+      positions.col(j * columns + i) =
+          origin + step * Point2(static_cast<double>(i), static_cast<double>(j));
+  return positions;
+}
+
+void write_surface_vti(const std::filesystem::path& path, const PointGrid& grid,
+                       const VecXcd& elevation, const std::vector<std::uint8_t>& on_plate,
+                       double omega, double heading_deg) {
+  FLOE_VALIDATE_AS(ConvergenceError, elevation.allFinite(),
+                   "invalid elevation of " << path.filename().string() << " at omega = " << omega
+                                           << " rad/s (must be finite)");
+  const std::string extent = fmt::format("0 {} 0 {} 0 0", grid.columns - 1, grid.rows - 1);
+  VtuDocument document;
+  document.line("<?xml version=\"1.0\"?>");
+  document.line(fmt::format("<VTKFile type=\"ImageData\" {}>", kFileAttributes));
+  document.line(
+      fmt::format("  <ImageData WholeExtent=\"{}\" Origin=\"{} {} 0\" Spacing=\"{} {} 1\">", extent,
+                  shortest(grid.origin.x()), shortest(grid.origin.y()), shortest(grid.step),
+                  shortest(grid.step)));
+  add_described(document, {{"omega", omega}, {"heading_deg", heading_deg}});
+  document.line(fmt::format("    <Piece Extent=\"{}\">", extent));
+  document.line("      <PointData Scalars=\"zeta_abs\">");
+  add_parts(document, "zeta", elevation);
+  add_scalars(document, "zeta_abs", elevation, [](const Complex& z) { return std::abs(z); });
+  add_scalars(document, "zeta_phase", elevation, [](const Complex& z) { return std::arg(z); });
+  document.add("on_plate", "UInt8", 1, on_plate);
+  document.line("      </PointData>");
+  document.line("    </Piece>");
+  document.line("  </ImageData>");
+  write_file(path, document.text());
 }
 
 void write_statistics_vtu(const std::filesystem::path& path, const mesh::Q8Mesh& mesh,

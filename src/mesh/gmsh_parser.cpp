@@ -1,8 +1,14 @@
 #include "mesh/gmsh_content.hpp"
 #include "mesh/gmsh_element_types.hpp"
+#include "mesh/gmsh_groups.hpp"
 #include "mesh/gmsh_scanner.hpp"
 
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
 #include <string>
+#include <unordered_map>
 #include <utility>
 
 namespace floe::mesh {
@@ -13,10 +19,11 @@ class GmshParser {
  public:
   GmshParser(std::string_view bytes, const std::string& file_name) : scan_(bytes, file_name) {}
 
-  GmshContent parse() {
+  FileContent parse() {
     while (!scan_.at_end()) read_section();
     if (!has_nodes_) scan_.fail("no section $Nodes");
     if (!has_elements_) scan_.fail("no section $Elements");
+    content_.groups = groups_.named();
     return std::move(content_);
   }
 
@@ -32,6 +39,10 @@ class GmshParser {
     } else if (name == "$Nodes" || name == "$Elements") {
       if (version_ == Version::kUnknown) scan_.fail(name + " without $MeshFormat before it");
       name == "$Nodes" ? read_nodes() : read_elements();
+    } else if (name == "$PhysicalNames") {
+      read_physical_names();
+    } else if (name == "$Entities" && version_ == Version::k41) {
+      read_entities();
     } else if (name == "$ParametricNodes") {
       scan_.fail("found $ParametricNodes (must be saved without parametric coordinates)");
     } else {
@@ -59,6 +70,47 @@ class GmshParser {
     const std::int64_t one = scan_.integer("the mark of the byte order");
     if (one == 0x01000000) scan_.fail("found big-endian binary (must be little-endian, or ASCII)");
     if (one != 1) scan_.fail("mark of the byte order", one, "must be 1");
+  }
+
+  // In text, in binary files too: dimension, number, "name"
+  void read_physical_names() {
+    const std::int64_t count = scan_.text_integer("count of physical names");
+    scan_.demand_room(count, 7, "count of physical names");
+    for (std::int64_t i = 0; i < count; ++i) {
+      const std::int64_t dimension = scan_.text_integer("dimension of a physical group");
+      const std::int64_t tag = scan_.text_integer("number of a physical group");
+      const std::string name = scan_.quoted("name of a physical group");
+      if (dimension == 2) groups_.name(tag, name);
+    }
+  }
+
+  // Points, curves, surfaces, volumes: what they are made of, and their physical groups
+  void read_entities() {
+    if (scan_.binary()) scan_.end_line();
+    std::array<std::int64_t, 4> count{};
+    for (std::int64_t& n : count) {
+      n = scan_.size("entity count");
+      scan_.demand_room(n, scan_.binary() ? 32 : 8, "entity count");
+    }
+    for (int dimension = 0; dimension < 4; ++dimension)
+      for (std::int64_t i = 0; i < count[dimension]; ++i) read_entity(dimension);
+  }
+
+  void read_entity(int dimension) {
+    const std::int64_t entity = scan_.integer("entity tag");
+    for (int i = 0; i < (dimension == 0 ? 3 : 6); ++i) scan_.real("extent of an entity");
+    const auto read_tags = [&](const char* what, const auto& take) {
+      const std::int64_t count = scan_.size(what);
+      scan_.demand_room(count, scan_.binary() ? 4 : 2, what);
+      for (std::int64_t i = 0; i < count; ++i) take(scan_.integer(what));
+    };
+    read_tags("physical groups of an entity", [&](std::int64_t tag) {
+      // NOTE: a negative number means the surface turned over, as part of the same group
+      if (tag == std::numeric_limits<std::int64_t>::min())
+        scan_.fail("physical group", tag, "must be one of Gmsh's");
+      if (dimension == 2) groups_.put_surface(entity, std::abs(tag));
+    });
+    if (dimension > 0) read_tags("boundary of an entity", [](std::int64_t) {});
   }
 
   void read_nodes() {
@@ -114,12 +166,12 @@ class GmshParser {
 
   void reserve_nodes(std::int64_t count) {
     content_.coordinates.reserve(static_cast<std::size_t>(count));
-    content_.node_of_tag.reserve(static_cast<std::size_t>(count));
+    node_of_tag_.reserve(static_cast<std::size_t>(count));
   }
 
   void add_tag(std::int64_t tag, std::size_t node) {
     if (tag < 1) scan_.fail("node tag", tag, "must be positive");
-    if (!content_.node_of_tag.emplace(tag, static_cast<Index>(node)).second)
+    if (!node_of_tag_.emplace(tag, static_cast<Index>(node)).second)
       scan_.fail("node tag", tag, "must stand once");
   }
 
@@ -153,8 +205,13 @@ class GmshParser {
       scan_.demand_room(tags, scan_.binary() ? 4 : 2, "tag count");
       for (std::int64_t i = 0; i < block; ++i) {
         if (scan_.binary()) scan_.integer("element number");
-        for (std::int64_t t = 0; t < tags; ++t) scan_.integer("element tag");
+        std::int64_t physical = 0;  // the first tag; 0 means none
+        for (std::int64_t t = 0; t < tags; ++t) {
+          const std::int64_t tag = scan_.integer("element tag");
+          if (t == 0) physical = tag;
+        }
         read_element(type);
+        if (is_quad(type) && physical != 0) groups_.put_element(physical, last_quad());
       }
       done += block;
     }
@@ -170,7 +227,7 @@ class GmshParser {
     std::int64_t left = count;
     for (std::int64_t block = 0; block < blocks; ++block) {
       scan_.integer("entity dimension");
-      scan_.integer("entity tag");
+      const std::int64_t entity = scan_.integer("entity tag");
       const GmshElementType& type = read_type();
       const std::int64_t in_block = scan_.size("elements in block");
       if (in_block > left)
@@ -178,6 +235,7 @@ class GmshParser {
       for (std::int64_t i = 0; i < in_block; ++i) {
         scan_.size("element tag");
         read_element(type);
+        if (is_quad(type)) groups_.put_element_of(entity, last_quad());
       }
       left -= in_block;
     }
@@ -192,18 +250,22 @@ class GmshParser {
     return *type;
   }
 
+  static bool is_quad(const GmshElementType& type) {
+    return type.number == kGmshQuad4 || type.number == kGmshQuad8 || type.number == kGmshQuad9;
+  }
+  Index last_quad() const { return static_cast<Index>(content_.quads.size()) - 1; }
+
   void read_element(const GmshElementType& type) {
-    GmshQuad quad{type.nodes, {}};
-    const bool is_quad =
-        type.number == kGmshQuad4 || type.number == kGmshQuad8 || type.number == kGmshQuad9;
+    FileQuad quad{type.nodes, {}};
+    const bool quadrilateral = is_quad(type);
     for (int a = 0; a < type.nodes; ++a) {
       const std::int64_t tag =
           version_ == Version::k22 ? scan_.integer("node tag") : scan_.size("node tag");
-      const auto node = content_.node_of_tag.find(tag);
-      if (node == content_.node_of_tag.end()) scan_.fail("node tag", tag, "must be one of $Nodes");
-      if (is_quad) quad.nodes[a] = node->second;
+      const auto node = node_of_tag_.find(tag);
+      if (node == node_of_tag_.end()) scan_.fail("node tag", tag, "must be one of $Nodes");
+      if (quadrilateral) quad.nodes[a] = node->second;
     }
-    if (is_quad)
+    if (quadrilateral)
       content_.quads.push_back(quad);
     else if (type.number == kGmshPoint)
       ++content_.point_elements;
@@ -214,7 +276,9 @@ class GmshParser {
   }
 
   GmshScanner scan_;
-  GmshContent content_;
+  FileContent content_;
+  GmshGroups groups_;
+  std::unordered_map<std::int64_t, Index> node_of_tag_;
   Version version_ = Version::kUnknown;
   bool has_nodes_ = false;
   bool has_elements_ = false;
@@ -222,7 +286,7 @@ class GmshParser {
 
 }  // namespace
 
-GmshContent parse_gmsh(std::string_view bytes, const std::string& file_name) {
+FileContent parse_gmsh(std::string_view bytes, const std::string& file_name) {
   return GmshParser(bytes, file_name).parse();
 }
 

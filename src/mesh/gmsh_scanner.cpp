@@ -33,6 +33,16 @@ std::string_view GmshScanner::word(const char* what) {
   return bytes_.substr(start, position_ - start);
 }
 
+std::string GmshScanner::quoted(const char* what) {
+  if (at_end() || bytes_[position_] != '"')
+    fail(std::string("invalid ") + what + " (must stand in double quotes)");
+  const std::size_t start = position_ + 1, end = bytes_.find_first_of("\"\n", start);
+  if (end == std::string_view::npos || bytes_[end] != '"')
+    fail(std::string("invalid ") + what + " (must end with a double quote)");
+  position_ = end + 1;
+  return std::string(bytes_.substr(start, end - start));
+}
+
 void GmshScanner::expect(std::string_view expected) {
   const std::string name(expected);
   const std::string_view found = word(name.c_str());

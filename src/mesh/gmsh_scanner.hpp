@@ -21,6 +21,8 @@ class GmshScanner {
   bool at_end();
   /// The next run of non-blank characters.
   std::string_view word(const char* what);
+  /// The text between two double quotes of a line.
+  std::string quoted(const char* what);
   /// Takes the word `expected`, or fails.
   void expect(std::string_view expected);
   /// Ends a line of text, after which binary numbers may start.

@@ -186,11 +186,12 @@ void add_export(CLI::App& app, Choice& choice) {
   command.add_option("directory", options.directory, "results of a run")
       ->required()
       ->type_name("DIR");
-  command.add_option("--format", options.format, "netcdf (as capytaine's) or wamit")
+  command.add_option("--format", options.format, "netcdf (as capytaine's), wamit or paraview")
       ->required()
       ->type_name("FORMAT")
-      ->check(one_of("--format", "netcdf or wamit",
-                     [](const std::string& text) { return text == "netcdf" || text == "wamit"; }));
+      ->check(one_of("--format", "netcdf, wamit or paraview", [](const std::string& text) {
+        return text == "netcdf" || text == "wamit" || text == "paraview";
+      }));
   CLI::Option* rigid = command.add_flag("--rigid-only", options.rigid_only,
                                         "surge to yaw of each plate, no elastic modes");
   command
@@ -199,6 +200,18 @@ void add_export(CLI::App& app, Choice& choice) {
   command
       .add_option("--length", options.length, "length of WAMIT's normalisation [m] (default: 1)")
       ->type_name("L");
+  command
+      .add_option("--phases", options.paraview.phases,
+                  "paraview: moments of one period (default: 24)")
+      ->type_name("N");
+  command
+      .add_option("--margin", options.paraview.margin,
+                  "paraview: width of the water around the plate [m] (default: 0)")
+      ->type_name("M");
+  command
+      .add_option("--step", options.paraview.step,
+                  "paraview: distance of points of the water [m] (default: no water)")
+      ->type_name("M");
   command.add_option("-o", options.output, "file to write; for wamit without its suffix")
       ->type_name("FILE");
   command.callback(

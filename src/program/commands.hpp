@@ -2,6 +2,7 @@
 
 #include "program/account.hpp"
 
+#include <floe/io/interchange.hpp>
 #include <floe/mesh/shapes.hpp>
 
 #include <filesystem>
@@ -48,11 +49,12 @@ void make_report(const ReportOptions& options);
 
 struct ExportOptions {
   std::filesystem::path directory;  ///< of a run
-  std::string format;               ///< "netcdf" or "wamit"
+  std::string format;               ///< "netcdf", "wamit" or "paraview"
   bool rigid_only = false;          ///< the six rigid motions of each body and nothing else
   bool all_dofs = false;            ///< these and the elastic modes
   double length = 1.0;              ///< of WAMIT's normalisation [m]
-  std::filesystem::path output;     ///< file or, for WAMIT, files' stem; empty: in the directory
+  io::ParaviewOptions paraview;
+  std::filesystem::path output;  ///< file, WAMIT's stem, ParaView's folder; empty: in the directory
 };
 
 /// Writes a run as files that other programs read.

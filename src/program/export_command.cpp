@@ -14,6 +14,14 @@ void export_for_others(const ExportOptions& options) {
                              : options.rigid_only || wamit ? plate::DofSet::kSixRigid
                                                            : plate::DofSet::kPlate;
   std::vector<std::filesystem::path> files;
+  if (options.format == "paraview") {
+    const std::filesystem::path folder =
+        options.output.empty() ? options.directory / "paraview" : options.output;
+    files = io::write_paraview(run, folder, options.paraview);
+    print(fmt::format("{} ({})\n", folder.string(),
+                      counted(static_cast<Index>(files.size()), "file")));
+    return;
+  }
   if (wamit) {
     const std::filesystem::path stem =
         options.output.empty() ? options.directory / "result" : options.output;

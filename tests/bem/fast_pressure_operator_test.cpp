@@ -1,7 +1,7 @@
 #include <floe/bem/dense_pressure_operator.hpp>
 #include <floe/bem/fast_pressure_operator.hpp>
 #include <floe/bem/lattice_pressure_operator.hpp>
-#include <floe/mesh/gmsh.hpp>
+#include <floe/mesh/mesh_file.hpp>
 #include <floe/mesh/rectangle.hpp>
 #include <floe/numeric/error.hpp>
 
@@ -27,7 +27,7 @@ const char* name_of(SumEngine engine) {
 }
 
 mesh::Q8Mesh read(const std::string& name) {
-  return mesh::read_gmsh(std::filesystem::path(FLOE_SOURCE_DIR) / "meshes" / name).mesh;
+  return mesh::read_mesh(std::filesystem::path(FLOE_SOURCE_DIR) / "meshes" / name).mesh;
 }
 
 // Worst case and the usual one: no order at all, and a wave

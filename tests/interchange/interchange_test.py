@@ -380,6 +380,44 @@ class Results(unittest.TestCase):
             self.assertEqual(added_mass.shape, (11, 11))
             self.close(added_mass[6:, 6:] * 1025.0, self.full.added_mass[f, 3:, 3:], 1e-9)
 
+    # ParaView
+
+    def test_animation_and_water_are_those_of_the_field(self):
+        told = run(self.path, "export", "plate.out", "--format", "paraview", "--phases", "8", "--margin", "50",
+                   "--step", "10")
+        self.assertIn("(11 files)", told)
+        folder = self.out / "paraview"
+        field = readers.Vtk(self.out / "fields" / "omega_0.42_heading_60.vtu")
+        w = field["w_re"] + 1j * field["w_im"]
+        p = field["p_re"] + 1j * field["p_im"]
+
+        # The plate, one period of it
+        frames = readers.collection(folder / "plate_omega_0.42_heading_60.pvd")
+        self.assertEqual(len(frames), 8)
+        for i, (time, file) in enumerate(frames):
+            self.assertAlmostEqual(time, i / 8 * 2 * math.pi / 0.42)
+            frame = readers.Vtk(folder / file)
+            self.close(frame["w"], (w * np.exp(-1j * 0.42 * time)).real, 1e-14)
+            self.close(frame["p"], (p * np.exp(-1j * 0.42 * time)).real, 1e-14)
+            np.testing.assert_array_equal(frame["displacement"][:, 2], frame["w"])
+            self.assertTrue((frame["types"] == 23).all())
+
+        # The water: as at the wave point, and under the plate as (B.1) says
+        self.assertEqual(readers.collection(folder / "water.pvd"), [(0.42, "water_omega_0.42_heading_60.vti")])
+        water = readers.Vtk(folder / "water_omega_0.42_heading_60.vti")
+        image = water.root.find("ImageData")
+        self.assertEqual(image.get("Origin"), "-200 -80 0")
+        self.assertEqual(image.get("WholeExtent"), "0 40 0 16 0 0")
+        zeta = (water["zeta_re"] + 1j * water["zeta_im"]).reshape(17, 41)
+        self.close(np.abs(zeta).ravel(), water["zeta_abs"], 1e-15)
+        row = next(r for r in table(self.out / "wave_points.csv") if r["omega"] == "0.42" and r["heading_deg"] == "60")
+        self.assertLess(abs(zeta[8, 40] - complex(float(row["re"]), float(row["im"]))), 1e-9)
+        corner = int(np.argmin(((field["Points"] - [-150, -30, 0])**2).sum(axis=1)))
+        self.assertLess(abs(zeta[5, 5] - (w[corner] + p[corner] / 1025 / 9.81)), 1e-6)
+        under = water["on_plate"].reshape(17, 41)
+        self.assertEqual(under.sum(), 31 * 7)
+        self.assertTrue(under[5:12, 5:36].all())
+
     # The same bits
 
     def test_equal_runs_differ_in_no_variable(self):

@@ -3,6 +3,8 @@ Written from the behaviour of BEMRosetta (capytaine.cpp, wamit.cpp) and WEC-Sim 
 """
 
 import math
+import xml.etree.ElementTree
+import zlib
 
 import netCDF4
 import numpy as np
@@ -180,3 +182,45 @@ class Wamit:
         for i, j, value in table:
             matrix[int(i) - 1, int(j) - 1] = value
         return matrix
+
+
+class Vtk:
+    """Arrays of a VTU or VTI file with appended raw data in zlib blocks, and its collection of files."""
+
+    TYPES = {"Float64": np.float64, "Int64": np.int64, "UInt8": np.uint8}
+
+    def __init__(self, path):
+        with open(path, "rb") as file:
+            content = file.read()
+        at = content.index(b'encoding="raw">\n_') + len(b'encoding="raw">\n_')
+        end = content.rindex(b"\n  </AppendedData>")
+        header = content[:content.index(b"<AppendedData")] + b"</VTKFile>"
+        root = xml.etree.ElementTree.fromstring(header.decode("utf-8"))
+        self.root, self.arrays = root, {}
+        for element in root.iter("DataArray"):
+            if element.get("format") != "appended":
+                self.arrays[element.get("Name")] = float(element.text)
+                continue
+            values = np.frombuffer(self.inflate(content[at:end], int(element.get("offset"))),
+                                   self.TYPES[element.get("type")])
+            components = int(element.get("NumberOfComponents"))
+            self.arrays[element.get("Name")] = values.reshape(-1, components) if components > 1 else values
+
+    @staticmethod
+    def inflate(data, offset):
+        blocks, _, _ = np.frombuffer(data, np.uint64, 3, offset)
+        sizes = np.frombuffer(data, np.uint64, int(blocks), offset + 24)
+        at, parts = offset + 24 + 8 * int(blocks), []
+        for size in sizes:
+            parts.append(zlib.decompress(data[at:at + int(size)]))
+            at += int(size)
+        return b"".join(parts)
+
+    def __getitem__(self, name):
+        return self.arrays[name]
+
+
+def collection(path):
+    """[(time step, file)] of a .pvd file."""
+    root = xml.etree.ElementTree.parse(path).getroot()
+    return [(float(entry.get("timestep")), entry.get("file")) for entry in root.iter("DataSet")]

@@ -157,10 +157,31 @@ TEST(GmshErrors, NamesWhatItFindsInstead) {
   expect("# GiD\nmesh dimension = 3\n", "GiD mesh");
   expect("JOB AQWA  LINE\nTITLE  barge\n", "AQWA input file");
   expect("* comment\n**\nJOB MESH  LIN\n", "AQWA input file");
-  expect("<?xml version=\"1.0\"?>\n<VTKFile>", "XML file");
-  expect("# vtk DataFile Version 3.0\n", "VTK file");
+  expect("<?xml version=\"1.0\"?>\n<html>", "XML file");
+  expect("# vtk DataFile Version 3.0\n", "VTK legacy file");
   expect("1.0 2.0 3.0\n", "file of unknown format");
   expect(std::string(1000, '\0'), "file of unknown format");
+}
+
+// The first lines of such files, as their manuals have them
+TEST(GmshErrors, NamesPanelMeshesOfHullsWithAdvice) {
+  const std::string wamit =
+      "Cylinder R=1 T=0.5\n1.000000 9.80665 ULEN GRAV\n1 1 ISX ISY\n256\n"
+      "0.0 0.0 -0.5 0.1 0.0 -0.5 0.1 0.1 -0.5 0.0 0.1 -0.5\n";
+  const std::string higher_order = "ellipsoid\n1.0 9.8\n1 1\n4 0\n3 3\n4 4\n";
+  const std::string nemoh =
+      "    2    1\n     1    5.0    0.0   0.0\n     2    4.9    0.8   0.0\n0 0. 0. 0.\n1 2 3 4\n";
+  const std::string hams =
+      "    --------------Hull Mesh File---------------\n\n    # Number of Panels, Nodes, "
+      "X-Symmetry "
+      "and Y-Symmetry\n         300         341         0         0\n";
+  for (const auto& [bytes, name] : {std::pair{wamit, "WAMIT .gdf"},
+                                    {higher_order, "WAMIT .gdf"},
+                                    {nemoh, "NEMOH .dat"},
+                                    {hams, "HAMS .pnl"}})
+    EXPECT_THAT(error_of(bytes),
+                AllOf(HasSubstr(std::string("a.msh: found ") + name + ", panels of a hull"),
+                      HasSubstr("plates without draft only")));
 }
 
 TEST(GmshErrors, NamesBigEndianBinary) {

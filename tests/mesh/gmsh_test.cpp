@@ -2,6 +2,7 @@
 #include "tiny_meshes.hpp"
 
 #include <floe/mesh/gmsh.hpp>
+#include <floe/mesh/mesh_file.hpp>
 #include <floe/numeric/error.hpp>
 
 #include <gmock/gmock.h>
@@ -51,11 +52,11 @@ bool is_linear(const std::string& name) { return name.find("quad4") != std::stri
 
 // ASCII files carry 16 digits: 4 m to 2^-52 · 4 m either way
 TEST(Gmsh, EveryDialectGivesTheSameMesh) {
-  const Q8Mesh reference = read_gmsh(data_file(every_file()[0])).mesh;
+  const Q8Mesh reference = read_mesh(data_file(every_file()[0])).mesh;
   EXPECT_EQ(reference.element_count(), 4);
   EXPECT_EQ(reference.node_count(), 23);
   for (const std::string& name : every_file()) {
-    const Q8Mesh mesh = read_gmsh(data_file(name)).mesh;
+    const Q8Mesh mesh = read_mesh(data_file(name)).mesh;
     ASSERT_EQ(mesh.element_count(), 4) << name;
     ASSERT_EQ(mesh.node_count(), 23) << name;
     const int compared = is_linear(name) ? 4 : 8;
@@ -70,7 +71,7 @@ TEST(Gmsh, EveryDialectGivesTheSameMesh) {
 TEST(Gmsh, RaisesFourNodesWithSharedStraightMidSides) {
   for (const std::string& name : every_file()) {
     if (!is_linear(name)) continue;
-    const Q8Mesh mesh = read_gmsh(data_file(name)).mesh;
+    const Q8Mesh mesh = read_mesh(data_file(name)).mesh;
     EXPECT_EQ(mesh.node_count(), 23) << name;  // 10 corners and 13 edges
     for (Index e = 0; e < mesh.element_count(); ++e) {
       const Eigen::Matrix<double, 2, 8> points = mesh.element_nodes(e);
@@ -83,17 +84,17 @@ TEST(Gmsh, RaisesFourNodesWithSharedStraightMidSides) {
 TEST(Gmsh, TellsWhatItDropsInOneNotice) {
   const auto dropped =
       HasSubstr("dropped 7 point elements, 11 line elements and 1 node that no quadrilateral uses");
-  EXPECT_THAT(read_gmsh(data_file("sector_quad8_41.msh")).notices, ElementsAre(dropped));
-  EXPECT_THAT(read_gmsh(data_file("sector_quad9_22_bin.msh")).notices,
+  EXPECT_THAT(read_mesh(data_file("sector_quad8_41.msh")).notices, ElementsAre(dropped));
+  EXPECT_THAT(read_mesh(data_file("sector_quad9_22_bin.msh")).notices,
               ElementsAre(dropped, HasSubstr("dropped 4 centre nodes")));
-  EXPECT_THAT(read_gmsh(data_file("sector_quad4_22.msh")).notices,
+  EXPECT_THAT(read_mesh(data_file("sector_quad4_22.msh")).notices,
               ElementsAre(dropped, HasSubstr("gave mid-side nodes to 4 quadrilaterals")));
-  EXPECT_TRUE(read_gmsh_bytes(square_22(), "a.msh").notices.empty());
+  EXPECT_TRUE(read_mesh_bytes(square_22(), "a.msh").notices.empty());
 }
 
 TEST(Gmsh, ReadsASquareInBothVersions) {
   for (const std::string& text : {square_22(), square_41()}) {
-    const Q8Mesh mesh = read_gmsh_bytes(text, "a.msh").mesh;
+    const Q8Mesh mesh = read_mesh_bytes(text, "a.msh").mesh;
     EXPECT_EQ(mesh.node_count(), 8);
     EXPECT_DOUBLE_EQ(mesh.area(), 4.0);
   }
@@ -115,7 +116,7 @@ TEST(Gmsh, ReadsNumbersInEveryLocale) {
   const std::string before = std::setlocale(LC_ALL, nullptr);
   for (const char* locale : {"de_DE.UTF-8", "de_DE", "fr_FR.UTF-8"}) {
     std::setlocale(LC_ALL, locale);  // not every machine has them
-    EXPECT_EQ(read_gmsh_bytes(text, "a.msh").mesh.nodes()(0, 4), 1.0000000001);
+    EXPECT_EQ(read_mesh_bytes(text, "a.msh").mesh.nodes()(0, 4), 1.0000000001);
   }
   std::setlocale(LC_ALL, before.c_str());
 }
@@ -140,7 +141,7 @@ TEST(Gmsh, TakesTheMidSideNodeOfAQuadraticNeighbour) {
   // A 4-node quad to the right of a square whose right-hand edge is bent
   std::string text = square_22("9 4 0 0\n10 4 2 0\n", 2, "2 3 2 0 1 2 9 10 3\n", 1);
   text = replaced(text, "6 2 1 0", "6 2.2 1 0");
-  const Q8Mesh mesh = read_gmsh_bytes(text, "a.msh").mesh;
+  const Q8Mesh mesh = read_mesh_bytes(text, "a.msh").mesh;
   EXPECT_EQ(mesh.element_nodes(1).col(7), Point2(2.2, 1.0));
   EXPECT_EQ(mesh.node_count(), 13);
 }
@@ -154,7 +155,7 @@ TEST_F(GmshFile, RoundTripsToTheLastBit) {
   arrays.nodes(0, 5) += 1e-15;
   const Q8Mesh mesh = test::joined(arrays, test::rectangle_arrays(2, 2, 0.1, 0.3)).build();
   write_gmsh(folder_ / "ring.msh", mesh);
-  const MeshFile read = read_gmsh(folder_ / "ring.msh");
+  const MeshFile read = read_mesh(folder_ / "ring.msh");
   EXPECT_EQ(read.mesh.nodes(), mesh.nodes());
   EXPECT_EQ(read.mesh.elements(), mesh.elements());
   EXPECT_TRUE(read.notices.empty());
@@ -174,7 +175,7 @@ TEST_F(GmshFile, ReplacesALinkAndLeavesItsTarget) {
   std::filesystem::create_symlink(folder_ / "target", folder_ / "link.msh");
   write_gmsh(folder_ / "link.msh", test::tiny_plate());
   EXPECT_EQ(bytes_of(folder_ / "target"), "precious");
-  EXPECT_EQ(read_gmsh(folder_ / "link.msh").mesh.element_count(), 12);
+  EXPECT_EQ(read_mesh(folder_ / "link.msh").mesh.element_count(), 12);
 }
 
 TEST_F(GmshFile, ReportsAFileThatCannotBeWritten) {
@@ -187,7 +188,7 @@ TEST_F(GmshFile, ReportsAFileThatCannotBeWritten) {
 TEST_F(GmshFile, NamesAMissingFileADirectoryAndAPipe) {
   const auto error_of_path = [](const std::filesystem::path& path) -> std::string {
     try {
-      read_gmsh(path);
+      read_mesh(path);
     } catch (const MeshError& error) {
       return error.what();
     }
@@ -202,7 +203,7 @@ TEST_F(GmshFile, NamesAMissingFileADirectoryAndAPipe) {
 
 TEST_F(GmshFile, ReadsPathsWithBlanksAndOddLetters) {
   const auto path = write("-ü ñ é 橋.msh", square_22());
-  EXPECT_EQ(read_gmsh(path).mesh.element_count(), 1);
+  EXPECT_EQ(read_mesh(path).mesh.element_count(), 1);
 }
 
 // Areas from the shapes: parabolas in place of arcs miss φ⁴/480 of a disc's area (see Q8Mesh tests)
@@ -211,7 +212,7 @@ TEST(Gmsh, ReadsTheMeshesThatComeWithTheProgram) {
   const double pi = std::numbers::pi;
   const auto missing = [&](int edges) { return std::pow(2.0 * pi / edges, 4) / 480.0; };
   const auto expect = [&](const char* name, Index elements, double area, double error) {
-    const MeshFile file = read_gmsh(folder / name);
+    const MeshFile file = read_mesh(folder / name);
     EXPECT_EQ(file.mesh.element_count(), elements) << name;
     EXPECT_NEAR(file.mesh.area(), area, 1.1 * error + 1e-9 * area) << name;
     EXPECT_EQ(file.mesh.piece_count(), 1) << name;

@@ -44,7 +44,8 @@ TEST(Program, RefusesWrongCommandLinesWithTwo) {
   folder.write("case.toml", kCaseText);
   const std::pair<const char*, const char*> table[] = {
       {"",
-       "missing word after floe (must be one of run, check, stats, report, mesh; floe --help tells "
+       "missing word after floe (must be one of run, check, stats, report, export, mesh; floe "
+       "--help tells "
        "more)"},
       {"rnu case.toml", "unknown command rnu (did you mean run?)"},
       {"run", "case is required"},
@@ -79,7 +80,8 @@ TEST(Program, RefusesWrongCommandLinesWithTwo) {
       {"mesh rectangle --length 3 --width -1 --nx 2 --ny 2 -o a.msh",
        "invalid rectangle width = -1 m (must be positive)"},
       {"mesh rectangle --length 3 --width 1 --nx 0 --ny 2 -o a.msh", "must be at least 1"},
-      {"export some.out --format tecplot", "invalid --format = tecplot (must be netcdf or wamit)"},
+      {"export some.out --format tecplot",
+       "invalid --format = tecplot (must be netcdf, wamit or paraview)"},
       {"mesh disk", "unknown word disk (did you mean disc?)"},
       {"mesh disc --radius 0 --element-size 1 -o a.msh",
        "invalid disc radius = 0 m (must be positive)"},

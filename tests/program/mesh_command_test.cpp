@@ -1,6 +1,6 @@
 #include "floe_program.hpp"
 
-#include <floe/mesh/gmsh.hpp>
+#include <floe/mesh/mesh_file.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -48,7 +48,7 @@ TEST(MeshCommand, MakesEveryShapeAsAFile) {
                                std::to_string(example.elements) + " elements, " +
                                std::to_string(example.pieces) + " piece";
     EXPECT_THAT(made.output, StartsWith("a.msh: " + counts));
-    const mesh::MeshFile file = mesh::read_gmsh(folder.path() / "a.msh");
+    const mesh::MeshFile file = mesh::read_mesh(folder.path() / "a.msh");
     EXPECT_EQ(file.mesh.node_count(), example.nodes) << example.words;
     EXPECT_EQ(file.mesh.element_count(), example.elements) << example.words;
     EXPECT_EQ(file.mesh.piece_count(), example.pieces) << example.words;

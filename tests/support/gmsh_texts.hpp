@@ -1,8 +1,8 @@
 #pragma once
 
-#include "mesh/gmsh_content.hpp"
+#include "mesh/file_content.hpp"
 
-#include <floe/mesh/gmsh.hpp>
+#include <floe/mesh/mesh_file.hpp>
 #include <floe/numeric/error.hpp>
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ inline std::filesystem::path data_file(const std::string& name) {
 /// The message of the MeshError that the bytes give; "" if they are a mesh
 inline std::string error_of(const std::string& bytes) {
   try {
-    mesh::read_gmsh_bytes(bytes, "a.msh");
+    mesh::read_mesh_bytes(bytes, "a.msh");
   } catch (const MeshError& error) {
     return error.what();
   }

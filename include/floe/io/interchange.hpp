@@ -23,4 +23,19 @@ std::vector<std::filesystem::path> write_wamit(const StoredRun& run,
                                                const std::filesystem::path& stem,
                                                plate::DofSet dofs, double length = 1.0);
 
+/// What is drawn of the kept node fields.
+struct ParaviewOptions {
+  int phases = 24;      ///< of one period, 2 … 999
+  double margin = 0.0;  ///< of the water around the plate's bounding box [m]
+  double step = 0.0;    ///< between points of the water [m]; 0: no water
+};
+
+/// Files for ParaView in `folder` (made if it is not there): for every node field the moving plate,
+/// one file a phase and a collection over time, and the free surface around and under the plate
+/// (H.8) from the stored pressure, with a collection over frequencies. Returns the files' names.
+/// Also throws InputError.
+std::vector<std::filesystem::path> write_paraview(const StoredRun& run,
+                                                  const std::filesystem::path& folder,
+                                                  const ParaviewOptions& options);
+
 }  // namespace floe::io

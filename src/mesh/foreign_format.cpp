@@ -1,4 +1,6 @@
-#include "mesh/gmsh_sniff.hpp"
+#include "mesh/foreign_format.hpp"
+
+#include "mesh/hull_format.hpp"
 
 #include <algorithm>
 #include <array>
@@ -32,9 +34,8 @@ constexpr std::array kFirstWords = {
     Signature{"mesh", "GiD mesh"},
     Signature{"job", "AQWA input file"},
     Signature{"solid", "STL file"},
-    Signature{"# vtk", "VTK file"},
+    Signature{"# vtk", "VTK legacy file (save it as VTU)"},
     Signature{"<?xml", "XML file"},
-    Signature{"<vtkfile", "VTU file"},
 };
 
 std::string lower_case(std::string_view text) {
@@ -72,7 +73,11 @@ std::string foreign_format(std::string_view bytes) {
     const bool whole_word = rest.empty() || !std::isalnum(static_cast<unsigned char>(rest.front()));
     if (statement.starts_with(word.start) && whole_word) return word.name;
   }
-  return statement.starts_with("$") ? "" : "file of unknown format";
+  if (statement.starts_with("$")) return "";
+  const std::string_view hull = hull_format(bytes);
+  if (hull.empty()) return "file of unknown format";
+  return std::string(hull) +
+         ", panels of a hull (floe computes plates without draft only: mesh the outline at z = 0)";
 }
 
 }  // namespace floe::mesh

@@ -1,15 +1,12 @@
-#include "mesh/file_bytes.hpp"
-#include "mesh/geometry.hpp"
-#include "mesh/gmsh_content.hpp"
-#include "mesh/gmsh_sniff.hpp"
+#include "mesh/file_content.hpp"
 
-#include <floe/mesh/gmsh.hpp>
+#include "mesh/geometry.hpp"
+
 #include <floe/numeric/error.hpp>
 
 #include <algorithm>
 #include <cstdint>
 #include <sstream>
-#include <string_view>
 #include <unordered_map>
 #include <utility>
 
@@ -31,12 +28,12 @@ struct Quads {
   Index unused_nodes = 0;  // dropped, no quad has them
 };
 
-Quads gather_quads(const GmshContent& content) {
+Quads gather_quads(const FileContent& content) {
   Quads quads;
   quads.elements.resize(8, static_cast<Index>(content.quads.size()));
   constexpr Index kUnused = -1, kCentre = -2, kUsed = 0;
   std::vector<Index> number(content.coordinates.size(), kUnused);
-  for (const GmshQuad& quad : content.quads) {
+  for (const FileQuad& quad : content.quads) {
     for (int a = 0; a < std::min(quad.node_count, 8); ++a) number[quad.nodes[a]] = kUsed;
     if (quad.node_count == 4) ++quads.raised;
     if (quad.node_count == 9 && number[quad.nodes[8]] == kUnused) number[quad.nodes[8]] = kCentre;
@@ -49,7 +46,7 @@ Quads gather_quads(const GmshContent& content) {
     quads.nodes.push_back(content.coordinates[n]);
   }
   for (Index e = 0; e < quads.elements.cols(); ++e) {
-    const GmshQuad& quad = content.quads[e];
+    const FileQuad& quad = content.quads[e];
     for (int a = 0; a < 8; ++a)
       quads.elements(a, e) = a < quad.node_count ? number[quad.nodes[a]] : -1;
   }
@@ -104,7 +101,7 @@ Points2 plane_nodes(const std::vector<Eigen::Vector3d>& nodes) {
   return plane;
 }
 
-void refuse_other_elements(const GmshContent& content) {
+void refuse_other_elements(const FileContent& content) {
   std::ostringstream found;
   for (const auto& [name, count] : content.refused)
     found << (found.tellp() > 0 ? ", " : "") << count << " " << name;
@@ -117,7 +114,7 @@ void refuse_other_elements(const GmshContent& content) {
                        << counted(content.line_elements, "line element") << ")");
 }
 
-std::vector<std::string> make_notices(const GmshContent& content, const Quads& quads) {
+std::vector<std::string> make_notices(const FileContent& content, const Quads& quads) {
   std::vector<std::string> notices;
   if (content.point_elements + content.line_elements + quads.unused_nodes > 0)
     notices.push_back("dropped " + counted(content.point_elements, "point element") + ", " +
@@ -134,28 +131,17 @@ std::vector<std::string> make_notices(const GmshContent& content, const Quads& q
 
 }  // namespace
 
-MeshFile read_gmsh_bytes(std::string_view bytes, const std::string& file_name) {
-  // Recognise what it is
-  if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);  // UTF-8 byte order mark
-  const std::string foreign = foreign_format(bytes);
-  FLOE_VALIDATE_AS(MeshError, foreign.empty(),
-                   file_name << ": found " << foreign << " (must be a Gmsh mesh, MSH 2.2 or 4.1)");
-  const GmshContent content = parse_gmsh(bytes, file_name);
-
-  // Make it a mesh
+MeshFile make_mesh_file(const FileContent& content, const std::string& file_name) {
   try {
     refuse_other_elements(content);
     Quads quads = gather_quads(content);
     if (quads.raised > 0) raise_to_eight_nodes(quads);
     std::vector<std::string> notices = make_notices(content, quads);
-    return {Q8Mesh(plane_nodes(quads.nodes), std::move(quads.elements)), std::move(notices)};
+    return {Q8Mesh(plane_nodes(quads.nodes), std::move(quads.elements)), std::move(notices),
+            content.groups};
   } catch (const MeshError& error) {
     throw MeshError(file_name + ": " + error.what());
   }
-}
-
-MeshFile read_gmsh(const std::filesystem::path& path) {
-  return read_gmsh_bytes(read_regular_file(path), path.string());
 }
 
 }  // namespace floe::mesh
