@@ -1,6 +1,7 @@
 #include "bindings.hpp"
 
 #include <floe/mesh/gmsh.hpp>
+#include <floe/mesh/mesh_file.hpp>
 #include <floe/mesh/rectangle.hpp>
 #include <floe/numeric/error.hpp>
 
@@ -83,8 +84,9 @@ the four mid-side nodes, around the element. Raises floe.MeshError naming what c
 nx, ny: elements along x and y. grading: longest over shortest edge, 1 to 100; edges shrink towards
 the sides.)");
   module.def(
-      "read_mesh", [](const std::filesystem::path& path) { return mesh::read_gmsh(path).mesh; },
-      py::arg("path"), "Reads a Gmsh mesh of quadrilaterals, .msh 2.2 or 4.1.");
+      "read_mesh", [](const std::filesystem::path& path) { return mesh::read_mesh(path).mesh; },
+      py::arg("path"),
+      "Reads a mesh of quadrilaterals: Gmsh and the other formats of `mesh.file`.");
 }
 
 }  // namespace floe::python
