@@ -32,7 +32,7 @@ function options(spec, width) {
       ...spec.series.map((name, i) => ({
         label: name,
         stroke: style(`--line-${1 + (i % 8)}`),
-        dash: i >= 8 ? [6, 4] : undefined,
+        dash: [undefined, [9, 4], [3, 3], [9, 3, 3, 3]][i % 4],
         width: 2,
         points: { show: spec.values[0].length < 40, size: 5 },
         value: (_, value) => number(value),

@@ -49,6 +49,24 @@ export function deflection(data, frequency, heading) {
   return { re, im };
 }
 
+// Amplitude of a bending moment at every node in one wave, from the modes alone [N m/m per m]
+export function bendingMoment(data, axis, frequency, heading) {
+  const nodes = data.surface.x.length;
+  const first = (frequency * data.waves.heading_deg.length + heading) * data.modes.omega.length * 2;
+  const re = new Float32Array(nodes);
+  const im = new Float32Array(nodes);
+  data.moments[axis].forEach((shape, mode) => {
+    const a = data.amplitudes[first + 2 * mode];
+    const b = data.amplitudes[first + 2 * mode + 1];
+    for (let i = 0; i < nodes; ++i) {
+      re[i] += a * shape[i];
+      im[i] += b * shape[i];
+    }
+  });
+  const stiffer = Math.hypot(1, data.structure.plate.loss_factor ?? 0);
+  return re.map((value, i) => stiffer * Math.hypot(value, im[i]));
+}
+
 export function magnitudes({ re, im }) {
   return re.map((value, i) => Math.hypot(value, im[i]));
 }
@@ -59,6 +77,12 @@ export function raoMagnitude(data, quantity, frequency, heading, point) {
   const points = data.points.length;
   const i = (frequency * headings + heading) * points + point;
   return Math.hypot(data.rao[quantity][2 * i], data.rao[quantity][2 * i + 1]);
+}
+
+// Phase in degrees, of e^{-iωt} relative to the wave's crest at the origin
+export function raoPhase(data, quantity, frequency, heading, point) {
+  const i = (frequency * data.waves.heading_deg.length + heading) * data.points.length + point;
+  return (Math.atan2(data.rao[quantity][2 * i + 1], data.rao[quantity][2 * i]) * 180) / Math.PI;
 }
 
 export function indexOfLargest(values) {

@@ -25,14 +25,15 @@ export function chooser(label, options, choose, selected = 0) {
 }
 
 // A table with a caption; rows are arrays of text or nodes; `numeric` columns align right
-export function table(caption, head, rows, numeric = []) {
+// `kind` is a class of the table: "words" for long text
+export function table(caption, head, rows, numeric = [], kind = undefined) {
   const align = (i) => (numeric.includes(i) ? 'number' : undefined);
   return element(
     'div',
     { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': caption },
     element(
       'table',
-      {},
+      { class: kind },
       element('caption', {}, caption),
       element(
         'thead',

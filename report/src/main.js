@@ -17,7 +17,7 @@ function build(data) {
     element('div', { class: 'first' }, summary(data), platePanel(data)),
     data.seas?.length ? section('seas', 'In a sea', seas(data)) : undefined,
     section('waves', 'In regular waves', waves(data)),
-    section('checks', 'Can it be trusted', checks(data), convergence(data)),
+    section('checks', 'Checks and convergence', checks(data), convergence(data)),
     section('account', 'How it was computed', hydrodynamics(data), timing(data)),
     section('case', 'Case as solved', caseFile(data)),
   ].filter(Boolean);
@@ -31,7 +31,7 @@ function build(data) {
     element(
       'footer',
       {},
-      `Made by ${data.program.name} ${data.program.version}. SI units; per metre of wave amplitude; e^{-iωt}; the heading is where the wave travels to, from +x towards +y. Charts by uPlot (MIT licence, © Leon Sorokin).`,
+      `Made by ${data.program.name} ${data.program.version}. SI units; per metre of wave amplitude; time factor exp(−iωt); the heading is where the wave travels to, from +x towards +y. Charts by uPlot (MIT licence, © Leon Sorokin).`,
     ),
   );
   paintCharts();

@@ -1,8 +1,9 @@
 // The panel around the 3-D view: which wave, what the colours mean, play and pause, the legend.
 import { cssGradient } from './colours.js';
-import { deflection, magnitudes } from './data.js';
+import { bendingMoment, deflection, magnitudes } from './data.js';
 import { chooser, element } from './dom.js';
-import { number } from './format.js';
+import { number, withUnit } from './format.js';
+import { Overlay } from './overlay.js';
 import { PlateView } from './plate_view.js';
 
 const dark = () => window.matchMedia('(prefers-color-scheme: dark)');
@@ -12,7 +13,7 @@ const themes = {
   dark: { water: [0.13, 0.26, 0.35], ink: [0.92, 0.94, 0.96] },
 };
 
-// What the plate can be coloured by: {label, unit, map, values(state) or null, symmetric}
+// What the plate can be coloured by: {label, unit, map, values(motion, state) or null, range}
 function colourings(data) {
   const choices = [
     { label: 'deflection, moving', unit: 'm/m', map: 'diverging', values: () => null },
@@ -25,6 +26,13 @@ function colourings(data) {
       range: [-180, 180],
     },
   ];
+  for (const axis of data.moments ? ['x', 'y'] : [])
+    choices.push({
+      label: `bending moment M${axis}, amplitude`,
+      unit: 'N m/m per m',
+      map: 'sequential',
+      values: (_, { frequency, heading }) => bendingMoment(data, axis, frequency, heading),
+    });
   for (const sea of data.seas ?? [])
     (sea.mean_heading_deg ?? []).forEach((mean, i) => {
       if (!sea.std_map) return;
@@ -58,7 +66,7 @@ export function platePanel(data) {
   const canvas = element('canvas', {
     tabindex: 0,
     role: 'img',
-    'aria-label': 'The plate in the wave, in three dimensions. Arrow keys turn it, plus and minus zoom.',
+    'aria-label': 'The plate in the wave, in three dimensions. Arrow keys turn it, plus and minus zoom, space plays, Home turns back.',
   });
   const readout = element('output', { class: 'readout', 'aria-live': 'off' });
   const legend = element('div', { class: 'legend' });
@@ -69,13 +77,27 @@ export function platePanel(data) {
     return element('p', { class: 'note' }, `The plate cannot be drawn in 3-D here: ${error.message}.`);
   }
 
-  let motion;
+  const overlay = new Overlay(view, data.surface, data.points);
+  const moment = element('input', {
+    type: 'range', min: 0, max: 1, step: 0.01, value: 0, id: 'moment',
+    oninput: (event) => {
+      toggle(false);
+      view.phase = 2 * Math.PI * Number(event.target.value);
+      view.draw();
+    },
+  });
+  view.onframe = () => {
+    overlay.update();
+    if (state.playing) moment.value = view.phase / (2 * Math.PI);
+  };
+
+  let motion, shown;
   const showLegend = (range, { unit, map, label }) => {
     legend.replaceChildren(
-      element('span', {}, number(range[0])),
+      element('span', {}, /^N/.test(unit) ? withUnit(range[0], 'N').replace(/[A-Za-z ]+$/, '') : number(range[0])),
       element('span', { class: 'bar', style: `background: ${cssGradient(map)}`, role: 'img',
         'aria-label': `${label} from ${number(range[0])} to ${number(range[1])} ${unit}` }),
-      element('span', {}, `${number(range[1])} ${unit}`),
+      element('span', {}, withUnit(range[1], unit)),
     );
   };
 
@@ -86,7 +108,9 @@ export function platePanel(data) {
     const largest = Math.max(1, ...magnitudes(motion));
     view.setMotion(motion, [k * Math.cos(beta), k * Math.sin(beta)], (0.035 * view.size * state.exaggeration) / largest);
     const choice = choices[state.colouring];
-    const values = choice.values(motion);
+    const values = choice.values(motion, state);
+    shown = values;
+    overlay.setHeading(beta);
     const size = Math.max(...magnitudes(motion));
     const top = values ? Math.max(...values) : size;
     const range = choice.range ?? (values ? [Math.min(0, ...values), top || 1] : [-size, size]);
@@ -101,10 +125,9 @@ export function platePanel(data) {
       return;
     }
     const choice = choices[state.colouring];
-    const value = choice.values(motion)?.[node] ?? Math.hypot(motion.re[node], motion.im[node]);
+    const value = shown?.[node] ?? Math.hypot(motion.re[node], motion.im[node]);
     const where = `x ${number(data.surface.x[node])} m, y ${number(data.surface.y[node])} m`;
-    const what = choice.values(motion) ? choice.label : '|w|';
-    readout.textContent = `${where}: ${what} ${number(value)} ${choice.unit}`;
+    readout.textContent = `${where}: ${shown ? choice.label : '|w|'} ${withUnit(value, choice.unit)}`;
   };
 
   const play = element('button', { type: 'button', 'aria-pressed': 'false', onclick: () => toggle() }, 'Play');
@@ -151,7 +174,9 @@ export function platePanel(data) {
     chooser('Wave', waves, set('frequency'), state.frequency),
     chooser('Heading', data.waves.heading_deg.map((h) => `${number(h)}°`), set('heading'), state.heading),
     chooser('Colour', choices.map(({ label }) => label), set('colouring')),
+    element('span', { class: 'choice' }, element('label', { for: 'moment' }, 'Time'), moment),
     element('span', { class: 'choice' }, element('label', { for: 'exaggeration' }, 'Height'), factor),
+    element('button', { type: 'button', onclick: () => view.reset() }, 'Reset view'),
   );
 
   const applyTheme = () => {
@@ -165,8 +190,8 @@ export function platePanel(data) {
   return element(
     'figure',
     { class: 'plate' },
-    element('div', { class: 'stage' }, canvas, readout),
+    element('div', { class: 'stage' }, canvas, overlay.box, readout),
     element('figcaption', {}, legend, controls,
-      element('p', { class: 'note' }, 'Heights are exaggerated; the water shows the incident wave. Drag to turn, wheel on the focused view to zoom.')),
+      element('p', { class: 'note' }, 'Heights are exaggerated. The water shows the incident wave, joined to the plate at its edge. Drag or arrow keys turn, wheel on the focused view or + and - zoom, space plays.')),
   );
 }

@@ -100,7 +100,7 @@ export class PlateView {
     this.outline.set('position', positions, 2);
     this.sea.set('position', this.grid.vertices, 2);
     this.texture = gl.createTexture();
-    this.camera = { azimuth: -1.05, elevation: 0.55, distance: 1.35 * this.size };
+    this.camera = this.#home();
     this.phase = 0;
     this.#listen();
     new ResizeObserver(() => this.draw()).observe(canvas);
@@ -145,7 +145,7 @@ export class PlateView {
     // The whole width stays in sight on narrow screens
     const aspect = width / Math.max(1, height);
     const { azimuth, elevation, distance } = this.camera;
-    const far = distance * Math.max(1, 1.5 / aspect);
+    const far = distance * Math.max(1, 1.35 / aspect);
     this.view = multiply(perspective(0.7, aspect, far / 50, 12 * far), orbit(azimuth, elevation, far));
     for (const layer of [this.plate, this.sea, this.outline]) {
       layer.uniform('view', this.view);
@@ -157,6 +157,20 @@ export class PlateView {
     this.sea.uniform('water', this.water);
     this.outline.uniform('ink', this.ink);
     for (const layer of [this.sea, this.plate, this.outline]) layer.draw();
+    this.onframe?.();
+  }
+
+  // Pixel of a place in the coordinates of the case, z metres of drawn height; null behind the eye
+  pixel(x, y, z) {
+    if (!this.view || !this.canvas.clientWidth) return null;
+    const [px, py, depth] = project(this.view, x - this.centre[0], y - this.centre[1], z);
+    if (depth <= 0) return null;
+    return [(px + 1) * 0.5 * this.canvas.clientWidth, (1 - py) * 0.5 * this.canvas.clientHeight];
+  }
+
+  // Height at which a node is drawn now
+  height(node) {
+    return this.lift * this.#elevation(node);
   }
 
   // Node nearest to a pixel of the canvas, or -1
@@ -181,6 +195,15 @@ export class PlateView {
   turn(azimuth, elevation) {
     this.camera.azimuth += azimuth;
     this.camera.elevation = Math.min(1.5, Math.max(0.06, this.camera.elevation + elevation));
+    this.draw();
+  }
+
+  #home() {
+    return { azimuth: -1.05, elevation: 0.6, distance: 1.42 * this.size };
+  }
+
+  reset() {
+    this.camera = this.#home();
     this.draw();
   }
 
@@ -210,6 +233,7 @@ export class PlateView {
       '+': () => this.zoom(0.9),
       '=': () => this.zoom(0.9),
       '-': () => this.zoom(1.1),
+      Home: () => this.reset(),
     };
     canvas.addEventListener('keydown', (event) => {
       if (!keys[event.key]) return;

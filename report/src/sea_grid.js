@@ -1,5 +1,6 @@
-// The water as a grid of triangles. Under the plate it follows the plate, elsewhere the wave: each
-// vertex under the plate knows its triangle of the plate and its place in it.
+// The water as a grid of triangles. Under the plate it follows the plate, elsewhere the incident
+// wave, and beside the plate it passes from one to the other: each vertex under the plate knows its
+// triangle of the plate and its place in it, each one beside it the nearest place on the outline.
 
 // For each vertex of the grid: three nodes and their weights, or nothing (weights 0)
 function placeOnPlate(grid, surface) {
@@ -30,6 +31,34 @@ function placeOnPlate(grid, surface) {
   return { nodes, weights };
 }
 
+// For each vertex within `band` of the outline and not under the plate: two nodes of the outline, the
+// place between them, and how much of the plate's motion is left there (0: none)
+function placeBeside(vertices, under, surface, band) {
+  const count = vertices.length / 2;
+  const nodes = new Uint32Array(2 * count);
+  const between = new Float32Array(count);
+  const left = new Float32Array(count);
+  const nearest = new Float32Array(count).fill(band);
+  const { x, y, edges } = surface;
+  for (let i = 0; i < count; ++i) {
+    if (under[3 * i] + under[3 * i + 1] + under[3 * i + 2] > 0) continue;
+    const [px, py] = [vertices[2 * i], vertices[2 * i + 1]];
+    for (let e = 0; e < edges.length; e += 2) {
+      const [a, b] = [edges[e], edges[e + 1]];
+      if (Math.abs(x[a] - px) > 3 * band || Math.abs(y[a] - py) > 3 * band) continue;
+      const [dx, dy] = [x[b] - x[a], y[b] - y[a]];
+      const t = Math.min(1, Math.max(0, ((px - x[a]) * dx + (py - y[a]) * dy) / (dx * dx + dy * dy || 1)));
+      const distance = Math.hypot(px - x[a] - t * dx, py - y[a] - t * dy);
+      if (distance >= nearest[i]) continue;
+      nearest[i] = distance;
+      nodes.set([a, b], 2 * i);
+      between[i] = t;
+      left[i] = (1 - distance / band) ** 2;
+    }
+  }
+  return { nodes, between, left };
+}
+
 // Vertices, triangles and places of the water, `margin` plate sizes around the plate
 export function seaGrid(surface, margin = 0.6, cells = 180) {
   const low = [Math.min(...surface.x), Math.min(...surface.y)];
@@ -58,27 +87,36 @@ export function seaGrid(surface, margin = 0.6, cells = 180) {
       const a = j * (nx + 1) + i;
       triangles.push(a, a + 1, a + nx + 2, a, a + nx + 2, a + nx + 1);
     }
-  return { vertices, triangles: new Uint32Array(triangles), place, size };
+  const beside = placeBeside(vertices, place.weights, surface, 0.1 * size);
+  return { vertices, triangles: new Uint32Array(triangles), place, beside, surface, size };
 }
 
-// Elevation {re, im} of every vertex: the plate's deflection under it, the incident wave elsewhere;
-// vertices are relative to the centre (cx, cy)
+// Elevation {re, im} of every vertex; vertices are relative to the centre (cx, cy)
 export function seaElevation(sea, deflection, [kx, ky], [cx, cy]) {
-  const { vertices, place } = sea;
+  const { vertices, place, beside, surface } = sea;
+  const { re, im } = deflection;
   const elevation = new Float32Array(vertices.length);
-  for (let i = 0; i < vertices.length; i += 2) {
-    const at = (3 * i) / 2;
-    const [u, v, w] = place.weights.subarray(at, at + 3);
-    if (u + v + w === 0) {
-      const phase = kx * (vertices[i] + cx) + ky * (vertices[i + 1] + cy);
-      elevation[i] = Math.cos(phase);
-      elevation[i + 1] = Math.sin(phase);
+  const wave = (x, y) => {
+    const phase = kx * (x + cx) + ky * (y + cy);
+    return [Math.cos(phase), Math.sin(phase)];
+  };
+  for (let i = 0; i < vertices.length / 2; ++i) {
+    const [u, v, w] = place.weights.subarray(3 * i, 3 * i + 3);
+    if (u + v + w > 0) {
+      const [a, b, c] = place.nodes.subarray(3 * i, 3 * i + 3);
+      elevation.set([u * re[a] + v * re[b] + w * re[c], u * im[a] + v * im[b] + w * im[c]], 2 * i);
       continue;
     }
-    const [a, b, c] = place.nodes.subarray(at, at + 3);
-    const { re, im } = deflection;
-    elevation[i] = u * re[a] + v * re[b] + w * re[c];
-    elevation[i + 1] = u * im[a] + v * im[b] + w * im[c];
+    const here = wave(vertices[2 * i], vertices[2 * i + 1]);
+    if (beside.left[i] > 0) {
+      const [a, b] = beside.nodes.subarray(2 * i, 2 * i + 2);
+      const t = beside.between[i];
+      const at = (values) => values[a] + t * (values[b] - values[a]);
+      const edge = wave(at(surface.x), at(surface.y));
+      here[0] += beside.left[i] * (at(re) - edge[0]);
+      here[1] += beside.left[i] * (at(im) - edge[1]);
+    }
+    elevation.set(here, 2 * i);
   }
   return elevation;
 }

@@ -48,36 +48,36 @@ function spectra(data, sea) {
 }
 
 function statistics(data, sea) {
-  const rows = [];
-  sea.mean_heading_deg.forEach((mean, m) =>
-    observed(data, sea).forEach((q) =>
-      data.points.forEach((point, p) => {
-        const quantity = data.quantities[q];
+  const { std, zero_crossing_period: period, significant, most_probable_maximum: maximum } = sea.statistics;
+  const rows = (m) =>
+    observed(data, sea).flatMap((q) =>
+      data.points.map((point, p) => {
+        const { label, unit } = data.quantities[q];
         const i = (m * data.quantities.length + q) * data.points.length + p;
-        const { std, zero_crossing_period: period, significant, most_probable_maximum: maximum } = sea.statistics;
-        rows.push([
-          `${number(mean)}°`,
-          quantity.label,
+        return [
+          label,
           point.name,
-          withUnit(std[i], quantity.unit),
+          withUnit(std[i], unit),
           period ? `${number(period[i])} s` : '–',
-          significant ? withUnit(significant[i], quantity.unit) : '–',
-          maximum ? withUnit(maximum[i], quantity.unit) : '–',
-        ]);
+          significant ? withUnit(significant[i], unit) : '–',
+          maximum ? withUnit(maximum[i], unit) : '–',
+        ];
       }),
-    ),
-  );
+    );
+  const head = ['quantity', 'point', 'std. deviation', 'zero-crossing period', 'significant', 'most probable maximum'];
+  const shown = (m) => table(`Sea ${sea.name}, mean heading ${number(sea.mean_heading_deg[m])}°`, head, rows(m), [2, 3, 4, 5], 'words');
+  const box = element('div', {}, shown(0));
   return element(
     'div',
-    { class: 'card wide' },
+    { class: 'card' },
     element('h3', {}, `Statistics, sea “${sea.name}”`),
-    element('p', { class: 'note' }, sea.text ?? ''),
-    table(
-      `Standard deviations and design values in sea ${sea.name}`,
-      ['mean heading', 'quantity', 'point', 'standard deviation', 'zero-crossing period', 'significant', 'most probable maximum'],
-      rows,
-      [3, 4, 5, 6],
+    element('p', { class: 'note' }, `${sea.text ?? ''}. Significant and maximum are single amplitudes.`),
+    element(
+      'div',
+      { class: 'controls' },
+      chooser('Mean heading', sea.mean_heading_deg.map((h) => `${number(h)}°`), (m) => box.replaceChildren(shown(m))),
     ),
+    box,
   );
 }
 

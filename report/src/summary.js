@@ -1,5 +1,5 @@
 // The first screen: what was solved, can it be trusted, how large are motions and moments, where.
-import { deflection, indexOfLargest, magnitudes, raoMagnitude } from './data.js';
+import { bendingMoment, deflection, indexOfLargest, magnitudes, raoMagnitude } from './data.js';
 import { element, table } from './dom.js';
 import { counted, duration, number, withUnit } from './format.js';
 
@@ -8,11 +8,25 @@ const words = { good: 'good', attention: 'look', bad: 'bad' };
 function verdict(data) {
   const { checks, warnings } = data;
   const bad = checks.filter(({ status }) => status === 'bad').length;
-  const attention = checks.filter(({ status }) => status === 'attention').length + warnings.length;
+  const attention = checks.filter(({ status }) => status === 'attention').length;
   if (data.status !== 'complete') return ['bad', `The run did not finish: ${data.status}.`];
-  if (bad > 0) return ['bad', `${counted(bad, 'check')} failed: read them before you use a number.`];
-  if (attention > 0) return ['attention', `All checks passed but ${counted(attention, 'warning')} to read.`];
-  return ['good', `All ${checks.length} checks passed.`];
+  if (bad > 0) return ['bad', `${counted(bad, 'check')} of ${checks.length} failed: read them before you use a number.`];
+  if (attention > 0) return ['attention', `${counted(attention, 'check')} of ${checks.length} just outside the limit: read on below.`];
+  if (warnings.length > 0) return ['attention', `All ${checks.length} checks passed, but there ${warnings.length === 1 ? 'is a warning' : `are ${warnings.length} warnings`} to read.`];
+  return ['good', `Yes: all ${checks.length} checks passed.`];
+}
+
+// The checks in one sentence
+function proof(data) {
+  const value = (name) => data.checks.find((check) => check.name === name)?.value;
+  const parts = [
+    ['residual', (v) => `the fluid’s equation is solved to ${number(v, 2)}`],
+    ['energy', (v) => `the waves carry away the energy lost to ${number(v, 2)}`],
+    ['nodes a wavelength', (v) => `the shortest wave has ${number(v, 2)} nodes`],
+  ];
+  const known = parts.filter(([name]) => value(name) !== undefined && value(name) !== null);
+  const text = known.map(([name, say]) => say(value(name))).join(', ');
+  return element('p', { class: 'proof' }, text ? `${text[0].toUpperCase()}${text.slice(1)}. ` : '', element('a', { href: '#checks' }, 'All checks'));
 }
 
 function solved(data) {
@@ -23,9 +37,13 @@ function solved(data) {
   const extent = structure.extent.map((value) => number(value, 4)).join(' × ');
   const plates = structure.pieces > 1 ? `${structure.pieces} plates within ` : '';
   const seconds = data.stages.reduce((sum, { seconds: s }) => sum + s, 0);
+  const seas = (data.seas ?? []).map(
+    (sea) => `Sea “${sea.name}”: ${sea.text.replaceAll('_', ' ').replaceAll(' = ', ' ')}; ${counted(sea.mean_heading_deg.length, 'mean heading')}`,
+  );
   return [
     `${plates}${extent} m, ${number(structure.plate.thickness)} m thick, on ${depth}`,
-    `${counted(omega.length, 'frequency').replace('frequencys', 'frequencies')}, ${range}; ${counted(waves.heading_deg.length, 'heading')}`,
+    `Regular waves: ${counted(omega.length, 'frequency').replace('frequencys', 'frequencies')}, ${range}; ${counted(waves.heading_deg.length, 'heading')}`,
+    ...(seas.length > 2 ? [`${seas.length} seas, described below`] : seas),
     `${counted(structure.nodes, 'node')}, ${counted(data.modes.omega.length, 'mode')}, ${data.method} operator, ${duration(seconds)}`,
   ];
 }
@@ -37,7 +55,7 @@ function largestAtPoints(data, quantity) {
     data.waves.heading_deg.forEach((heading, h) =>
       data.points.forEach((point, p) => {
         const value = raoMagnitude(data, quantity, frequency, h, p);
-        if (value > best.value) best = { value, omega, heading, point: point.name };
+        if (value > best.value) best = { value, omega, heading, point };
       }),
     ),
   );
@@ -57,42 +75,68 @@ function largestDeflection(data) {
   return best;
 }
 
-const wave = ({ omega, heading }) => `ω ${number(omega)} rad/s, ${number(heading)}°`;
-
-function seaRows(data) {
-  const rows = [];
-  for (const sea of data.seas ?? []) {
-    const { mean_heading_deg: means, statistics } = sea;
-    data.quantities.forEach((quantity, q) => {
-      let best = { std: -1 };
-      means.forEach((mean, m) =>
-        data.points.forEach((point, p) => {
-          const std = statistics.std[(m * data.quantities.length + q) * data.points.length + p];
-          if (std !== null && std > best.std) best = { std, mean, point: point.name };
-        }),
-      );
-      if (best.std >= 0)
-        rows.push([
-          `${quantity.label}, standard deviation in sea “${sea.name}”`,
-          withUnit(best.std, quantity.unit),
-          best.point,
-          `mean heading ${number(best.mean)}°`,
-        ]);
-    });
-  }
-  return rows;
+function largestMoment(data, axis) {
+  let best = { value: -1 };
+  data.waves.omega.forEach((omega, frequency) =>
+    data.waves.heading_deg.forEach((heading, h) => {
+      const size = bendingMoment(data, axis, frequency, h);
+      const node = indexOfLargest(size);
+      if (size[node] > best.value)
+        best = { value: size[node], omega, heading, x: data.surface.x[node], y: data.surface.y[node] };
+    }),
+  );
+  return best;
 }
 
-function largest(data) {
-  const rows = [];
-  const w = largestDeflection(data);
-  rows.push(['deflection, whole plate', withUnit(w.value, 'm/m'), `(${number(w.x)}, ${number(w.y)}) m`, wave(w)]);
-  data.quantities.forEach((quantity, q) => {
-    if (data.points.length === 0) return;
-    const best = largestAtPoints(data, q);
-    rows.push([`${quantity.label}, at the points`, withUnit(best.value, quantity.per_metre), best.point, wave(best)]);
+const wave = ({ omega, heading }) => `ω ${number(omega)}, ${number(heading)}°`;
+const place = ({ x, y }) => `(${number(x)}, ${number(y)})`;
+
+// Largest standard deviation of a quantity of a sea over its mean headings and the points
+function largestInSea(data, sea, q) {
+  const { std, most_probable_maximum: maximum } = sea.statistics;
+  let best = { std: -1 };
+  sea.mean_heading_deg.forEach((mean, m) =>
+    data.points.forEach((point, p) => {
+      const i = (m * data.quantities.length + q) * data.points.length + p;
+      if (std[i] !== null && std[i] > best.std) best = { std: std[i], maximum: maximum?.[i], mean, point };
+    }),
+  );
+  return best;
+}
+
+function inSeas(data) {
+  return (data.seas ?? []).slice(0, 2).map((sea) => {
+    const rows = [];
+    data.quantities.forEach((quantity, q) => {
+      const best = largestInSea(data, sea, q);
+      if (best.std < 0) return;
+      rows.push([
+        quantity.label,
+        withUnit(best.std, quantity.unit),
+        best.maximum ? withUnit(best.maximum, quantity.unit) : '–',
+        `${best.point.name} ${place(best.point)}`,
+        `${number(best.mean)}°`,
+      ]);
+    });
+    const head = ['at the points', 'std. deviation', 'maximum', 'where', 'heading'];
+    return rows.length ? table(`In sea “${sea.name}”, most probable maximum of the storm`, head, rows, [1, 2, 4]) : undefined;
   });
-  return table('Largest values', ['what', 'how large', 'where', 'in which wave'], [...seaRows(data), ...rows], [1, 2]);
+}
+
+// Values over the whole plate where the page knows them, else over the points
+function inRegularWaves(data) {
+  const rows = [];
+  const plate = (label, best, unit) => rows.push([label, withUnit(best.value, unit), place(best), wave(best)]);
+  plate('deflection w', largestDeflection(data), 'm/m');
+  if (data.moments)
+    for (const axis of ['x', 'y']) plate(`bending moment M${axis}`, largestMoment(data, axis), 'N m/m per m');
+  data.quantities.forEach((quantity, q) => {
+    const known = quantity.name === 'deflection' || (data.moments && /^bending_moment/.test(quantity.name));
+    if (data.points.length === 0 || known) return;
+    const best = largestAtPoints(data, q);
+    rows.push([`${quantity.label}, at the points`, withUnit(best.value, quantity.per_metre), `${best.point.name} ${place(best.point)}`, wave(best)]);
+  });
+  return table('In regular waves, per metre of wave amplitude (ω in rad/s; x, y in m)', ['largest', 'how large', 'where', 'in which wave'], rows, [1]);
 }
 
 export function summary(data) {
@@ -100,11 +144,14 @@ export function summary(data) {
   return element(
     'section',
     { id: 'summary', 'aria-label': 'Summary' },
+    element('h2', {}, 'Can it be trusted'),
     element('p', { class: `verdict ${status}`, role: 'status' }, sentence),
+    proof(data),
     element('h2', {}, 'What was solved'),
     element('ul', { class: 'plain' }, solved(data).map((line) => element('li', {}, line))),
     element('h2', {}, 'How large, and where'),
-    largest(data),
+    inSeas(data),
+    inRegularWaves(data),
   );
 }
 
@@ -114,7 +161,7 @@ export function warnings(data) {
     'section',
     { id: 'warnings', class: 'warnings', 'aria-label': 'Warnings' },
     element('h2', {}, 'Warnings'),
-    element('ul', {}, data.warnings.map((text) => element('li', {}, text))),
+    element('ul', { tabindex: 0, 'aria-label': 'List of warnings' }, data.warnings.map((text) => element('li', {}, text))),
   );
 }
 
@@ -130,5 +177,6 @@ export function checks(data) {
       text,
     ]),
     [1, 2],
+    'words',
   );
 }

@@ -1,26 +1,26 @@
 // Response to regular waves: curves over the frequency at points, and along lines.
 import { Chart } from './charts.js';
-import { raoMagnitude } from './data.js';
+import { raoMagnitude, raoPhase } from './data.js';
 import { chooser, element } from './dom.js';
 import { number } from './format.js';
 
 function overFrequency(data) {
   if (data.points.length === 0) return undefined;
-  const state = { quantity: 0, heading: 0 };
+  const state = { quantity: 0, heading: 0, part: 0 };
   const spec = () => {
     const quantity = data.quantities[state.quantity];
-    const scale = quantity.scale ?? 1;
+    const value = state.part === 0 ? raoMagnitude : raoPhase;
     const curves = data.points.map((_, p) =>
-      data.waves.omega.map((_, f) => raoMagnitude(data, state.quantity, f, state.heading, p) / scale),
+      data.waves.omega.map((_, f) => value(data, state.quantity, f, state.heading, p)),
     );
     return {
       title: `${quantity.label} at the points over the frequency`,
       describe: data.points.map((point, p) => `${point.name}: up to ${number(Math.max(...curves[p]))}`).join(', '),
       x: 'ω [rad/s]',
-      y: `|${quantity.label}| [${quantity.per_metre}]`,
+      y: state.part === 0 ? `|${quantity.label}| [${quantity.per_metre}]` : `phase of ${quantity.label} [°]`,
       series: data.points.map(({ name }) => name),
       values: [data.waves.omega, ...curves],
-      range: [0, null],
+      range: state.part === 0 ? [0, null] : [-180, 180],
     };
   };
   const chart = new Chart(spec());
@@ -36,6 +36,7 @@ function overFrequency(data) {
       'div',
       { class: 'controls' },
       chooser('Quantity', data.quantities.map(({ label }) => label), set('quantity')),
+      chooser('Show', ['amplitude', 'phase'], set('part')),
       chooser('Heading', data.waves.heading_deg.map((h) => `${number(h)}°`), set('heading')),
     ),
     chart.box,

@@ -1,4 +1,5 @@
 #include "io/packed_array.hpp"
+#include "io/report_moments.hpp"
 #include "io/report_template.hpp"
 
 #include <floe/io/report.hpp>
@@ -94,7 +95,8 @@ Json structure_json(const ReportContent& content) {
            {{"thickness", plate.thickness},
             {"youngs_modulus", plate.youngs_modulus},
             {"poisson_ratio", plate.poisson_ratio},
-            {"density", plate.density}}},
+            {"density", plate.density},
+            {"loss_factor", plate.loss_factor}}},
           {"water",
            {{"depth", std::isinf(depth) ? Json(nullptr) : Json(depth)},
             {"density", density},
@@ -220,8 +222,9 @@ Json sea_json(const ReportSea& sea, const mesh::Drawing& drawing) {
 
 Json page_json(const ReportContent& content) {
   const std::vector<std::size_t> shown = shown_frequencies(content);
+  // Deflection and two moments of every mode at every drawn node
   const auto fitting =
-      static_cast<Index>(0.3 * kPageBytes / kBytesPerNumber /
+      static_cast<Index>(0.4 / 3.0 * kPageBytes / kBytesPerNumber /
                          static_cast<double>(std::max<Index>(1, content.modes.count())));
   const mesh::Drawing drawing = mesh::make_drawing(content.mesh, std::min(kMostNodes, fitting));
   Json page = {{"format", 1},
@@ -237,6 +240,7 @@ Json page_json(const ReportContent& content) {
                {"lines", lines_json(content, shown)},
                {"surface", surface_json(content, drawing)},
                {"modes", modes_json(content, drawing)},
+               {"moments", moments_json(content, drawing)},
                {"amplitudes", amplitudes_json(content, shown)},
                {"hydrodynamics", hydrodynamics_json(content, shown)},
                {"checks", checks_json(content)},

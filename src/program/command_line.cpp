@@ -2,6 +2,8 @@
 
 #include "program/commands.hpp"
 #include "program/exit_code.hpp"
+#include "program/help_commands.hpp"
+#include "program/option_checks.hpp"
 #include "program/parse_errors.hpp"
 #include "program/signals.hpp"
 
@@ -9,6 +11,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -25,6 +28,7 @@ constexpr const char* kAbout =
     "floe: hydroelastic response of very large floating structures in waves.";
 constexpr const char* kExamples = R"(
 Examples:
+  floe init plate.toml --mesh plate.msh --sea 2 6.3   a commented case file for a mesh and a sea
   floe check cases/table1.toml            what a run would need; solves nothing
   floe run cases/table1.toml              results go to table1.out/
   floe run plate.toml -o out --threads 8  another folder, eight threads
@@ -86,17 +90,6 @@ struct Choice {
   std::function<void()> action;  // what the chosen command does
 };
 
-// A check whose message has the program's shape
-CLI::Validator one_of(const std::string& option, const std::string& required,
-                      const std::function<bool(const std::string&)>& accepts) {
-  return CLI::Validator(
-      [=](std::string& text) {
-        return accepts(text) ? ""
-                             : fmt::format("invalid {} = {} (must be {})", option, text, required);
-      },
-      "");
-}
-
 void add_case_flags(CLI::App& command, Choice& choice) {
   command.add_option("case", choice.run.case_file, "case file")->required()->type_name("CASE.toml");
   command.add_option("--threads", choice.run.threads, "threads to use, 1 … 1024")
@@ -136,8 +129,8 @@ void add_run(CLI::App& app, Choice& choice) {
       .add_option_function<std::string>(
           "--progress",
           [&choice, styles](const std::string& name) { choice.run.progress = styles.at(name); },
-          "auto, plain, json or none")
-      ->type_name("HOW")
+          "how progress is shown")
+      ->type_name("auto|plain|json|none")
       ->check(one_of("--progress", "auto, plain, json or none",
                      [styles](const std::string& name) { return styles.contains(name); }));
   command.callback([&choice] { choice.action = [&choice] { run_case(choice.run); }; });
@@ -197,14 +190,15 @@ void add_mesh(CLI::App& app, Choice& choice) {
 
 // A first word that is no command gets the nearest one named
 void refuse_unknown_command(const std::string& command) {
-  const std::vector<std::string> known = {"run", "check", "stats", "report", "mesh"};
+  const std::vector<std::string> known = {"run",  "check", "stats", "report",
+                                          "mesh", "init",  "man",   "completion"};
   if (command.empty() || command[0] == '-' ||
       std::find(known.begin(), known.end(), command) != known.end())
     return;
   const std::string nearest = io::nearest_name(command, known);
   throw UsageError(fmt::format(
       "unknown command {} ({})", command,
-      nearest.empty() ? "known are run, check, stats, report, mesh; floe --help tells more"
+      nearest.empty() ? fmt::format("known are {}; floe --help tells more", fmt::join(known, ", "))
                       : "did you mean " + nearest + "?"));
 }
 
@@ -215,7 +209,7 @@ void refuse_later_words(int argc, char** argv) {
         fmt::format("{} is not available yet in this version ({})", word, FLOE_VERSION));
   };
   const std::string command = argc > 1 ? argv[1] : "";
-  for (const char* later : {"status", "export", "merge", "converge", "init"})
+  for (const char* later : {"status", "export", "merge", "converge"})
     if (command == later) refuse("floe " + command);
   refuse_unknown_command(command);
   const std::string shape = command == "mesh" && argc > 2 ? argv[2] : "";
@@ -239,6 +233,8 @@ int parse_and_run(int argc, char** argv) {
   add_stats(app, choice);
   add_report(app, choice);
   add_mesh(app, choice);
+  add_init(app, choice.action);
+  add_documents(app, choice.action);
   app.footer(kExamples);
   try {
     app.parse(argc, argv);

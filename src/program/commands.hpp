@@ -52,6 +52,18 @@ struct RectangleMeshOptions {
 /// Writes the mesh of a rectangle.
 void make_rectangle_mesh(const RectangleMeshOptions& options);
 
+struct InitOptions {
+  std::filesystem::path case_file;
+  std::filesystem::path mesh;            ///< empty: a rectangle
+  double length = 300.0, width = 60.0;   ///< of the rectangle [m]
+  double thickness = 2.0, depth = 58.5;  ///< [m]
+  std::vector<double> sea;               ///< empty, or significant height [m] and period [s]
+  std::vector<double> heading_deg = {0.0, 45.0, 90.0};
+};
+
+/// Writes a commented case file for a mesh and a sea; never over one that is there.
+void make_new_case(const InitOptions& options);
+
 /// The case with what the command line adds to it; tells notices and warnings of the reading.
 Case read_case_for(const RunOptions& options, Account& account);
 

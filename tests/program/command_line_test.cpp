@@ -44,8 +44,8 @@ TEST(Program, RefusesWrongCommandLinesWithTwo) {
   folder.write("case.toml", kCaseText);
   const std::pair<const char*, const char*> table[] = {
       {"",
-       "missing word after floe (must be one of run, check, stats, report, mesh; floe --help tells "
-       "more)"},
+       "missing word after floe (must be one of run, check, stats, report, mesh, init, man, "
+       "completion; floe --help tells more)"},
       {"rnu case.toml", "unknown command rnu (did you mean run?)"},
       {"run", "case is required"},
       {"run case.toml --bogus", "unknown flag --bogus (known are "},
@@ -90,7 +90,7 @@ TEST(Program, RefusesWrongCommandLinesWithTwo) {
 TEST(Program, RefusesWhatComesLaterByName) {
   const TestFolder folder;
   for (const char* arguments :
-       {"status", "export", "merge", "converge", "init", "mesh disc", "mesh ring", "mesh lshape",
+       {"status", "export", "merge", "converge", "mesh disc", "mesh ring", "mesh lshape",
         "mesh modules", "run a.toml --shard=1/2"}) {
     const ProgramResult result = run_floe(folder, arguments);
     EXPECT_EQ(result.code, 2) << arguments;
