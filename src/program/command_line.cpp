@@ -3,6 +3,7 @@
 #include "program/commands.hpp"
 #include "program/exit_code.hpp"
 #include "program/help_commands.hpp"
+#include "program/mesh_command_line.hpp"
 #include "program/option_checks.hpp"
 #include "program/parse_errors.hpp"
 #include "program/signals.hpp"
@@ -83,7 +84,6 @@ double parse_time(const std::string& text) {
 // What the parser fills in
 struct Choice {
   RunOptions run;
-  RectangleMeshOptions rectangle;
   StatsOptions stats;
   ReportOptions report;
   std::string memory, max_time;
@@ -170,24 +170,6 @@ void add_report(CLI::App& app, Choice& choice) {
   command.callback([&choice] { choice.action = [&choice] { make_report(choice.report); }; });
 }
 
-void add_mesh(CLI::App& app, Choice& choice) {
-  CLI::App& command = *app.add_subcommand("mesh", "make a mesh");
-  command.require_subcommand(1);
-  CLI::App& rectangle = *command.add_subcommand("rectangle", "mesh of a rectangle (Gmsh 4.1)");
-  mesh::RectangleOptions& options = choice.rectangle.rectangle;
-  rectangle.add_option("--length", options.length, "extent in x [m]")->required();
-  rectangle.add_option("--width", options.width, "extent in y [m]")->required();
-  rectangle.add_option("--nx", options.nx, "elements along x")->required();
-  rectangle.add_option("--ny", options.ny, "elements along y")->required();
-  rectangle.add_option("--grading", options.grading,
-                       "longest over shortest edge, 1 … 100; edges shrink towards the sides");
-  rectangle.add_option("-o", choice.rectangle.output, "file to write")
-      ->required()
-      ->type_name("FILE.msh");
-  rectangle.callback(
-      [&choice] { choice.action = [&choice] { make_rectangle_mesh(choice.rectangle); }; });
-}
-
 // A first word that is no command gets the nearest one named
 void refuse_unknown_command(const std::string& command) {
   const std::vector<std::string> known = {"run",  "check", "stats", "report",
@@ -212,9 +194,6 @@ void refuse_later_words(int argc, char** argv) {
   for (const char* later : {"status", "export", "merge", "converge"})
     if (command == later) refuse("floe " + command);
   refuse_unknown_command(command);
-  const std::string shape = command == "mesh" && argc > 2 ? argv[2] : "";
-  for (const char* later : {"disc", "ring", "lshape", "modules"})
-    if (shape == later) refuse("floe mesh " + shape);
   for (int i = 1; i < argc; ++i) {
     const std::string word = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
     if (word == "--") return;
@@ -232,7 +211,7 @@ int parse_and_run(int argc, char** argv) {
   add_check(app, choice);
   add_stats(app, choice);
   add_report(app, choice);
-  add_mesh(app, choice);
+  add_mesh_commands(app, choice.action);
   add_init(app, choice.action);
   add_documents(app, choice.action);
   app.footer(kExamples);

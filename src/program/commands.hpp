@@ -2,6 +2,8 @@
 
 #include "program/account.hpp"
 
+#include <floe/mesh/shapes.hpp>
+
 #include <filesystem>
 
 /// The commands of the program, one function each. They throw; `run_command_line` turns what they
@@ -44,13 +46,13 @@ struct ReportOptions {
 /// Writes the report of a run, one HTML page.
 void make_report(const ReportOptions& options);
 
-struct RectangleMeshOptions {
-  mesh::RectangleOptions rectangle;
+struct MeshOptions {
+  mesh::Shape shape;
   std::filesystem::path output;
 };
 
-/// Writes the mesh of a rectangle.
-void make_rectangle_mesh(const RectangleMeshOptions& options);
+/// Writes the mesh of a shape.
+void make_mesh(const MeshOptions& options);
 
 struct InitOptions {
   std::filesystem::path case_file;
