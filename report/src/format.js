@@ -47,3 +47,6 @@ export function bytes(count) {
 }
 
 export const counted = (count, what) => `${count.toLocaleString('en')} ${what}${count === 1 ? '' : 's'}`;
+
+// "significant_height = 2" reads "significant height 2"
+export const inWords = (text) => text.replaceAll('_', ' ').replaceAll(' = ', ' ');

@@ -1,7 +1,7 @@
 // Response to seas: spectra at points, standard deviations and design values.
 import { Chart } from './charts.js';
 import { chooser, element, table } from './dom.js';
-import { number, withUnit } from './format.js';
+import { inWords, number, withUnit } from './format.js';
 
 // Statistics leave out the quantities of pressure: those have no numbers
 const observed = (data, sea) =>
@@ -64,14 +64,14 @@ function statistics(data, sea) {
         ];
       }),
     );
-  const head = ['quantity', 'point', 'std. deviation', 'zero-crossing period', 'significant', 'most probable maximum'];
-  const shown = (m) => table(`Sea ${sea.name}, mean heading ${number(sea.mean_heading_deg[m])}°`, head, rows(m), [2, 3, 4, 5], 'words');
+  const head = ['quantity', 'point', 'std. deviation', 'period', 'significant', 'maximum'];
+  const shown = (m) => table(`Sea ${sea.name}, mean heading ${number(sea.mean_heading_deg[m])}°`, head, rows(m), [2, 3, 4, 5]);
   const box = element('div', {}, shown(0));
   return element(
     'div',
     { class: 'card' },
     element('h3', {}, `Statistics, sea “${sea.name}”`),
-    element('p', { class: 'note' }, `${sea.text ?? ''}. Significant and maximum are single amplitudes.`),
+    element('p', { class: 'note' }, `${inWords(sea.text ?? '')}. Period: of zero crossings. Significant, and the most probable maximum of the storm: single amplitudes.`),
     element(
       'div',
       { class: 'controls' },

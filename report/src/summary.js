@@ -1,7 +1,7 @@
 // The first screen: what was solved, can it be trusted, how large are motions and moments, where.
 import { bendingMoment, deflection, indexOfLargest, magnitudes, raoMagnitude } from './data.js';
 import { element, table } from './dom.js';
-import { counted, duration, number, withUnit } from './format.js';
+import { counted, duration, inWords, number, withUnit } from './format.js';
 
 const words = { good: 'good', attention: 'look', bad: 'bad' };
 
@@ -38,7 +38,7 @@ function solved(data) {
   const plates = structure.pieces > 1 ? `${structure.pieces} plates within ` : '';
   const seconds = data.stages.reduce((sum, { seconds: s }) => sum + s, 0);
   const seas = (data.seas ?? []).map(
-    (sea) => `Sea “${sea.name}”: ${sea.text.replaceAll('_', ' ').replaceAll(' = ', ' ')}; ${counted(sea.mean_heading_deg.length, 'mean heading')}`,
+    (sea) => `Sea “${sea.name}”: ${inWords(sea.text ?? '')}; ${counted(sea.mean_heading_deg.length, 'mean heading')}`,
   );
   return [
     `${plates}${extent} m, ${number(structure.plate.thickness)} m thick, on ${depth}`,

@@ -4,7 +4,7 @@
 
 The commands are the blocks ```sh of the page; a command that is not to be run stands in a block without `sh`.
 They run by `bash -euo pipefail` in a folder that looks like a clone in which floe is built: cases, meshes, docs,
-scripts and build/release/floe. `scripts/run` builds nothing there. A ```toml block after "save it as `NAME`" is
+scripts and build/release/floe. `scripts/run` builds nothing there, and long cases are shorter (run_cases.py). A ```toml block after "save it as `NAME`" is
 saved. A page without a command fails too, and so does a command in a block of another kind.
 """
 
@@ -14,6 +14,8 @@ import re
 import subprocess
 import sys
 import tempfile
+
+import run_cases
 
 BLOCK = re.compile(r"^```(\w*)[^\n]*\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 SAVED = re.compile(r"save it as `([\w.-]+)`[^`]*$", re.IGNORECASE)
@@ -44,8 +46,14 @@ def steps(text):
 
 def make_clone(folder, floe, root):
     """What the pages expect of a clone."""
-    for name in ("cases", "meshes", "docs", "report", "tests"):
+    for name in ("meshes", "docs", "report", "tests"):
         (folder / name).symlink_to(root / name)
+    (folder / "cases").mkdir()
+    for case in (root / "cases").iterdir():
+        if case.suffix == ".toml":
+            (folder / "cases" / case.name).write_text(run_cases.shortened(case), encoding="utf-8")
+        else:
+            (folder / "cases" / case.name).symlink_to(case)
     scripts = folder / "scripts"
     scripts.mkdir()
     for script in (root / "scripts").iterdir():
