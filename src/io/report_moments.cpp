@@ -7,8 +7,7 @@
 namespace floe::io {
 
 nlohmann::ordered_json moments_json(const ReportContent& content, const mesh::Drawing& drawing) {
-  const MatXd forces =
-      plate::section_forces(content.mesh, content.data.plate, content.modes.shape);
+  const MatXd forces = plate::section_forces(content.mesh, content.data.plate, content.modes.shape);
   const auto component = [&](plate::SectionForce force) {
     nlohmann::ordered_json modes = nlohmann::ordered_json::array();
     for (Index mode = 0; mode < content.modes.count(); ++mode) {

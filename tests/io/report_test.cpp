@@ -166,7 +166,8 @@ TEST(ReportPage, OfAWholeRunIsWrittenForTheBrowser) {
   write_page(FLOE_REPORT_PAGE, page);
   EXPECT_GT(data_of(page)["triangles"].size() + data_of(page)["surface"].size(), 3u);
 
-  const std::string attack = "</script><script>window.owned = 1</script><img src=x onerror=owned=1>";
+  const std::string attack =
+      "</script><script>window.owned = 1</script><img src=x onerror=owned=1>";
   data.title = attack;
   data.points.front().name = "<b>P1</b>";
   content.warnings = {attack, "second"};

@@ -46,8 +46,7 @@ TEST(InitCommand, OverwritesNothing) {
   folder.write("a.toml", "mine");
   const ProgramResult result = run_floe(folder, "init a.toml");
   EXPECT_EQ(result.code, 9);
-  EXPECT_EQ(result.error,
-            "floe: error: a.toml: is there already (floe init overwrites nothing)\n");
+  EXPECT_EQ(result.error, "floe: error: a.toml: is there already (floe init overwrites nothing)\n");
   EXPECT_EQ(folder.read("a.toml"), "mine");
 }
 

@@ -37,9 +37,9 @@ struct ReportContent {
 };
 
 /// One HTML page with everything in it, no network: summary, checks, curves, the moving plate in
-/// 3-D with its bending moments (of the modes alone), spectra, convergence and times. Under 5 MB: large meshes are drawn by a choice of nodes and
-/// modes by 16-bit numbers (error 2e-5 of the largest value of a mode). The same content gives the
-/// same bytes.
+/// 3-D with its bending moments (of the modes alone), spectra, convergence and times. Under 5 MB:
+/// large meshes are drawn by a choice of nodes and modes by 16-bit numbers (error 2e-5 of the
+/// largest value of a mode). The same content gives the same bytes.
 std::string report_page(const ReportContent& content);
 
 /// The same of a stored run, with its seas. Throws StoreError when records are damaged.
