@@ -164,9 +164,10 @@ FrequencyResult solve_frequency(const Case& data, const PlateModel& plate, const
                                   data.water, residual_limit(data, fluid));
   });
   clock.time("exciting forces", [&] {
-    result.exciting_force = hydro::exciting_forces(
-        radiation.pressure,
-        hydro::wave_loads(fluid.integrals.mesh(), result.wavenumber, fluid.heading));
+    const MatXcd loads =
+        hydro::wave_loads(fluid.integrals.mesh(), result.wavenumber, fluid.heading);
+    result.exciting_force = hydro::exciting_forces(radiation.pressure, loads);
+    result.froude_krylov_force = hydro::froude_krylov_forces(fluid.deflection, loads, data.water);
     result.report.energy_error = hydro::energy_error(
         radiation,
         hydro::radiated_damping(radiation.pressure, fluid.integrals.mesh(), omega, data.water),

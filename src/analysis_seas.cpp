@@ -124,13 +124,13 @@ FluidSample solve_sample(const Case& data, const FluidModel& fluid,
   return {omega, std::move(radiation.pressure), std::move(radiation.fluid_matrix)};
 }
 
-// States of the waves from all directions, from what is known of the fluid
+// States of the waves from all directions, from what is known of the fluid; `pressure` is that of
+// the sample, times the amplitude of the waves where it is not 1 everywhere
 MatXcd states(const Case& data, const PlateModel& plate, const FluidModel& fluid,
-              const FluidSample& sample, int headings) {
+              const FluidSample& sample, const MatXcd& pressure, int headings) {
   const Index modes = plate.modes.count(), others = sample.pressure.cols() - modes;
-  const MatXcd force = -hydro::full_circle_transform(fluid.integrals.mesh(),
-                                                     wave::wavenumber(sample.omega, data.water),
-                                                     headings, sample.pressure);
+  const MatXcd force = -hydro::full_circle_transform(
+      fluid.integrals.mesh(), wave::wavenumber(sample.omega, data.water), headings, pressure);
   MatXcd state(modes + others, headings);
   state.topRows(modes) = coupling::modal_amplitudes(
       plate.modes, data.plate.loss_factor, sample.omega,
@@ -141,6 +141,17 @@ MatXcd states(const Case& data, const PlateModel& plate, const FluidModel& fluid
        sample.fluid_matrix.bottomLeftCorner(others, modes) * state.topRows(modes)) /
       Complex(1.0, -data.plate.loss_factor);
   return state;
+}
+
+// The states of one frequency: of waves of one metre everywhere, and of those of each zone (E.25)
+SeaTransfer transfer_of(const Case& data, const PlateModel& plate, const FluidModel& fluid,
+                        const FluidSample& sample, int headings, const MatXd& zone_amplitudes) {
+  SeaTransfer transfer{sample.omega, states(data, plate, fluid, sample, sample.pressure, headings)};
+  for (Index z = 0; z < zone_amplitudes.cols(); ++z)
+    transfer.zone_states.push_back(
+        states(data, plate, fluid, sample,
+               zone_amplitudes.col(z).cast<Complex>().asDiagonal() * sample.pressure, headings));
+  return transfer;
 }
 
 // How much the responses to two candidates differ, for each quantity and the deflection as a whole
@@ -157,8 +168,8 @@ class ResponseDifference {
         largest_(observed.quantity.size() + 1, 0.0) {}
 
   double operator()(const FluidSample& a, const FluidSample& b) {
-    const MatXcd one = states(data_, plate_, fluid_, a, kProbeHeadings);
-    const MatXcd other = states(data_, plate_, fluid_, b, kProbeHeadings);
+    const MatXcd one = states(data_, plate_, fluid_, a, a.pressure, kProbeHeadings);
+    const MatXcd other = states(data_, plate_, fluid_, b, b.pressure, kProbeHeadings);
     const Index modes = plate_.modes.count(), points = static_cast<Index>(data_.points.size());
     const double wave = std::sqrt(density(a.omega));
     double worst = compare(0, wave, one.topRows(modes), other.topRows(modes));
@@ -205,6 +216,7 @@ void solve_seas(const Case& data, const SeaBand& band, const PlateModel& plate,
   const plate::StaticCorrection::Influence influence =
       clock.time("seas: influences", [&] { return influences(data, plate, fluid); });
   const SeaObservation observation = observe(data, plate, fluid, influence.constant.cols(), log);
+  const MatXd zones = all_zone_amplitudes(data.seas, mesh);
   SeaGridReport grid{fine_frequencies(data, band, length), circle_headings(data, mesh, band.to)};
   SeaStatistics statistics(data.seas, observation, grid.omega, grid.headings);
   store.begin_seas(observation, grid);
@@ -222,7 +234,7 @@ void solve_seas(const Case& data, const SeaBand& band, const PlateModel& plate,
                  fmt::format("seas, {:.3f} rad/s", grid.omega[i]));
     const FluidSample sample = march.at(grid.omega[i]);
     clock.time("seas: response", [&] {
-      const SeaTransfer transfer{grid.omega[i], states(data, plate, fluid, sample, grid.headings)};
+      const SeaTransfer transfer = transfer_of(data, plate, fluid, sample, grid.headings, zones);
       store.sea_transfer(transfer);
       statistics.add(transfer);
     });

@@ -103,11 +103,16 @@ std::unique_ptr<const bem::PressureOperator> make_operator(const Case& data,
 FrequencyResult solve_frequency(const Case& data, const PlateModel& plate, const FluidModel& fluid,
                                 double omega, StageClock& clock);
 
-/// Chooses the band and holds it against every sea: warns where more than 2 % of m0 lie outside,
-/// throws DataError for more than 5 % unless the sea allows it.
+/// Chooses the band and holds it against every sea: warns where more than 1 % of m0 lie outside,
+/// throws DataError for more than 5 % unless the sea allows it. Zones are held against the plate:
+/// a warning where they change within a wavelength, DataError where they leave a part of it out.
 SeaBand prepare_seas(const Case& data, const Meshes& meshes, Log& log);
 void solve_seas(const Case& data, const SeaBand& band, const PlateModel& plate,
                 const FluidModel& fluid, StageClock& clock, Log& log, Store& store);
+/// Amplitudes (E.23) of all zones of all seas that have any, nodes × zones.
+MatXd all_zone_amplitudes(const std::vector<wave::SeaState>& seas, const mesh::Q8Mesh& mesh);
+/// Holds the zones against the plate and the lengths of their waves.
+void check_zones(const Case& data, const mesh::Q8Mesh& mesh, Log& log);
 /// The same from transfer functions that the store holds; no solve.
 void repeat_seas(const Case& data, const SeaGridReport& grid, Store& store);
 /// The residual that a solution of the fluid's equation must have.

@@ -1,6 +1,7 @@
 #include "analysis_stages.hpp"
 
 #include <floe/hydro/flexural_gravity.hpp>
+#include <floe/long_term_statistics.hpp>
 #include <floe/numeric/error.hpp>
 #include <floe/preflight.hpp>
 #include <floe/sea_statistics.hpp>
@@ -16,7 +17,7 @@ namespace {
 
 constexpr double kShareBelow = 1e-3;
 constexpr double kShareAbove = 5e-3;
-constexpr double kShareTold = 0.02;
+constexpr double kShareTold = 0.01;
 constexpr double kShareRefused = 0.05;
 constexpr double kHighest = 50.0;  // [rad/s]
 
@@ -47,22 +48,41 @@ double resolved_frequency(Case data, const Meshes& meshes) {
   return low;
 }
 
-}  // namespace
-
-void require_band(const wave::SeaState& sea, double from, double to, const std::string& remedy,
-                  Log& log) {
-  const double outside = 1.0 - sea.variance(from, to) / sea.m0();
+// What a share of a sea's energy outside the band means: nothing, a warning or an error
+void judge(const std::string& sea, double outside, bool allowed, double from, double to,
+           const std::string& remedy, Log& log) {
   const std::string told = fmt::format(
-      "sea {}: {:.2g} % of its m0 lie outside the frequencies that are computed, {:.4g} … {:.4g} "
-      "rad/s",
-      sea.name, 100.0 * outside, from, to);
-  if (outside > kShareRefused && !sea.allow_truncation)
+      "{}: {:.2g} % of its m0 lie outside the frequencies that are computed, {:.4g} … {:.4g} rad/s",
+      sea, 100.0 * outside, from, to);
+  if (outside > kShareRefused && !allowed)
     throw DataError(told + " (at most 5 %; " + remedy + ", or set allow_truncation = true)");
   if (outside > kShareTold) log.warning(told + " (" + remedy + ")");
 }
 
+}  // namespace
+
+void require_band(const wave::SeaState& sea, double from, double to, const std::string& remedy,
+                  Log& log) {
+  judge("sea " + sea.name, 1.0 - sea.variance(from, to) / sea.m0(), sea.allow_truncation, from, to,
+        remedy, log);
+}
+
+void require_band(const wave::WaveClimate& climate, double from, double to,
+                  const std::string& remedy, Log& log) {
+  double outside = 0.0, all = 0.0;
+  for (std::size_t j = 0; j < climate.scatter.period.size(); ++j) {
+    const double energy = climate.energy(j);
+    if (!(energy > 0.0)) continue;
+    const wave::Spectrum spectrum = climate.spectrum(j);
+    outside += energy * (1.0 - spectrum.variance(from, to) / spectrum.m0());
+    all += energy;
+  }
+  judge("scatter " + climate.name, outside / all, climate.allow_truncation, from, to, remedy, log);
+}
+
 SeaBand prepare_seas(const Case& data, const Meshes& meshes, Log& log) {
   if (data.seas.empty() && !(data.sea_grid.from && data.sea_grid.to)) return {};
+  check_zones(data, meshes.fluid, log);
   SeaBand band{std::numeric_limits<double>::infinity(), 0.0};
   for (const wave::SeaState& sea : data.seas) {
     band.from = std::min(band.from, quantile(sea, kShareBelow));

@@ -1,4 +1,5 @@
 #include <floe/numeric/error.hpp>
+#include <floe/response/wave_directions.hpp>
 #include <floe/sea_statistics.hpp>
 
 #include <cmath>
@@ -8,14 +9,15 @@ namespace floe {
 
 // One sea from one mean heading: where its partitions' waves come from and what they did so far
 struct SeaStatistics::Sum {
-  struct Origin {
-    response::DirectionGrid grid;
-    response::CircleInterpolation at_headings;
-  };
   std::size_t sea;
   double mean_heading_deg;
-  std::vector<Origin> origins;  // one a partition
+  std::vector<response::WaveDirections> origins;  // one a partition
+  MatXd coherence_factor;                         // zones × terms (E.24); empty without zones
+  std::size_t first_zone;                         // in SeaTransfer::zone_states
   response::PseudoExcitation response;
+  double waves = 0.0;  // ∫ S dω as the frequencies sum it up
+
+  MatXcd pseudo(const wave::SeaState& state, const SeaTransfer& transfer) const;
 };
 
 SeaStatistics::SeaStatistics(const std::vector<wave::SeaState>& seas, SeaObservation observation,
@@ -25,20 +27,49 @@ SeaStatistics::SeaStatistics(const std::vector<wave::SeaState>& seas, SeaObserva
       omega_(std::move(omega)),
       weight_(response::trapezoid_weights(omega_)) {
   constexpr double kDegree = std::numbers::pi / 180.0;
-  for (std::size_t s = 0; s < seas_.size(); ++s)
-    for (const double mean : seas_[s].mean_heading_deg) {
-      Sum sum{s, mean, {}, response::PseudoExcitation(observation_.points)};
-      for (const wave::Partition& partition : seas_[s].partitions) {
-        response::DirectionGrid grid = response::direction_grid(
-            partition.spreading, kDegree * (mean + partition.turn_deg), headings);
-        response::CircleInterpolation at_headings(grid.heading, headings);
-        sum.origins.push_back({std::move(grid), std::move(at_headings)});
-      }
+  std::size_t zones = 0;
+  for (std::size_t s = 0; s < seas_.size(); ++s) {
+    const wave::SeaState& sea = seas_[s];
+    for (const double mean : sea.mean_heading_deg) {
+      Sum sum{s, mean, {}, {}, zones, response::PseudoExcitation(observation_.points)};
+      for (const wave::Partition& partition : sea.partitions)
+        sum.origins.emplace_back(partition, kDegree * mean, headings);
+      if (sea.zones) sum.coherence_factor = wave::coherence_factor(sea.zones->coherence);
       sums_.push_back(std::move(sum));
     }
+    if (sea.zones) zones += sea.partitions.size();
+  }
 }
 
 SeaStatistics::~SeaStatistics() = default;
+
+// All pseudo-responses of one frequency side by side: partitions know nothing of each other, the
+// terms of zones are ∑_z L_zr √(S_z D Δθ) ξ_z (E.24)
+MatXcd SeaStatistics::Sum::pseudo(const wave::SeaState& state, const SeaTransfer& transfer) const {
+  std::vector<MatXcd> parts;
+  Index columns = 0;
+  for (std::size_t p = 0; p < origins.size(); ++p) {
+    const MatXcd& circle = state.zones ? transfer.zone_states.at(first_zone + p) : transfer.state;
+    parts.push_back(origins[p].pseudo(transfer.omega, circle));
+    columns += parts.back().cols();
+  }
+  const Index rows = transfer.state.rows();
+  if (state.zones) {
+    const Index each = parts.front().cols(), terms = coherence_factor.cols();
+    MatXcd all = MatXcd::Zero(rows, each * terms);
+    for (Index r = 0; r < terms; ++r)
+      for (std::size_t z = 0; z < parts.size(); ++z)
+        all.middleCols(r * each, each) += coherence_factor(static_cast<Index>(z), r) * parts[z];
+    return all;
+  }
+  MatXcd all(rows, columns);
+  Index first = 0;
+  for (const MatXcd& part : parts) {
+    all.middleCols(first, part.cols()) = part;
+    first += part.cols();
+  }
+  return all;
+}
 
 void SeaStatistics::add(const SeaTransfer& transfer) {
   for (Sum& sum : sums_) {
@@ -46,15 +77,9 @@ void SeaStatistics::add(const SeaTransfer& transfer) {
     FLOE_VALIDATE(
         i < omega_.size() && transfer.omega == omega_[i],
         "invalid frequency = " << transfer.omega << " rad/s (must be that of place " << i << ")");
-    MatXcd pseudo(transfer.state.rows(), 0);
-    for (std::size_t p = 0; p < sum.origins.size(); ++p) {
-      const MatXcd waves = response::pseudo_amplitudes(
-          sum.origins[p].at_headings(transfer.state),
-          seas_[sum.sea].partitions[p].spectrum(transfer.omega), sum.origins[p].grid.weight);
-      pseudo.conservativeResize(Eigen::NoChange, pseudo.cols() + waves.cols());
-      pseudo.rightCols(waves.cols()) = waves;
-    }
-    sum.response.add(transfer.omega, weight_[i], pseudo);
+    sum.response.add(transfer.omega, weight_[i], sum.pseudo(seas_[sum.sea], transfer));
+    for (const response::WaveDirections& origin : sum.origins)
+      sum.waves += weight_[i] * origin.energy(transfer.omega);
   }
 }
 
@@ -110,6 +135,11 @@ SeaResult SeaStatistics::result_of(const Sum& sum) const {
   result.duration = sea.duration;
   result.significant_height = 4.0 * std::sqrt(sea.m0());
   result.share_outside = 1.0 - sea.variance(omega_.front(), omega_.back()) / sea.m0();
+  const double means = sea.zones ? static_cast<double>(sum.origins.size()) : 1.0;
+  result.band_height = 4.0 * std::sqrt(sum.waves / means);
+  for (const response::WaveDirections& origin : sum.origins)
+    if (std::abs(origin.spreading_sum() - 1.0) > std::abs(result.spreading_sum - 1.0))
+      result.spreading_sum = origin.spreading_sum();
 
   add_spectra(sum.response.spectra(), result);
 

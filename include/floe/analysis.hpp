@@ -106,6 +106,7 @@ struct FrequencyResult {
   MatXd added_mass;                      ///< q × q, mass-normalised dry modes
   MatXd damping;                         ///< q × q
   MatXcd exciting_force;                 ///< q × headings
+  MatXcd froude_krylov_force;            ///< q × headings, the incident wave's share of it
   MatXcd amplitudes;                     ///< ξ, q × headings
   MatXcd line_deflection;                ///< stations of all lines in order × headings
   MatXcd point_deflection;               ///< points × headings

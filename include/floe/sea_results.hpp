@@ -31,6 +31,9 @@ struct SeaObservation {
 struct SeaTransfer {
   double omega = 0.0;  ///< [rad/s]
   MatXcd state;        ///< (q + m) × headings, equidistant on the full circle, from 0
+  /// The same of waves with the amplitudes of a zone (E.23): one a zone of every sea with zones, in
+  /// their order.
+  std::vector<MatXcd> zone_states = {};
 };
 
 /// How the transfer functions between the solved frequencies came about.
@@ -56,6 +59,8 @@ struct SeaResult {
   double significant_height = 0.0;    ///< 4√m0 of the waves, all frequencies [m]
   double share_outside = 0.0;         ///< of the sea's m0, beyond the band
   double grid_error = 0.0;            ///< of m0 at the points: every frequency against every other
+  double spreading_sum = 1.0;         ///< ∑ D Δθ over the headings, the one farthest from 1
+  double band_height = 0.0;           ///< 4√m0 of the waves as the frequencies sum it up [m]
 };
 
 }  // namespace floe

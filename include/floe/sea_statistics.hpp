@@ -8,7 +8,7 @@
 
 namespace floe {
 
-/// Holds a sea against the frequencies that are computed [rad/s]: a warning where more than 2 % of
+/// Holds a sea against the frequencies that are computed [rad/s]: a warning where more than 1 % of
 /// its m0 lie outside, DataError for more than 5 % unless the sea allows it. `remedy` ends with
 /// what helps.
 void require_band(const wave::SeaState& sea, double from, double to, const std::string& remedy,

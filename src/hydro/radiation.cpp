@@ -76,6 +76,19 @@ MatXcd exciting_forces_direct(const Eigen::Ref<const MatXd>& deflection,
   return weighted.transpose().cast<Complex>() * wave_pressure;
 }
 
+MatXcd froude_krylov_forces(const Eigen::Ref<const MatXd>& deflection, const MatXcd& wave_loads,
+                            const wave::Water& water) {
+  // Heading by heading: a complex copy of all deflections would be as large as the solution
+  const double weight = water.density * water.gravity;
+  MatXcd force(deflection.cols(), wave_loads.cols());
+  for (Index b = 0; b < wave_loads.cols(); ++b) {
+    const VecXd real = wave_loads.col(b).real(), imaginary = wave_loads.col(b).imag();
+    force.col(b).real() = weight * (deflection.transpose() * real);
+    force.col(b).imag() = weight * (deflection.transpose() * imaginary);
+  }
+  return force;
+}
+
 MatXd radiated_damping(const MatXcd& radiation_pressure, const mesh::Q8Mesh& mesh, double omega,
                        const wave::Water& water) {
   const double k = wave::wavenumber(omega, water);

@@ -19,10 +19,23 @@ int open_new(const std::filesystem::path& path) {
   return ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
 }
 
+std::filesystem::path beside(const std::filesystem::path& path) {
+  return path.string() + ".tmp." + std::to_string(::getpid());
+}
+
+[[noreturn]] void fail_to_write(const std::filesystem::path& path, int error) {
+  throw FileError("cannot write " + path.string() + ": " + std::strerror(error));
+}
+
+// A file system without syncs goes on without
+bool synced(int descriptor) {
+  return ::fsync(descriptor) == 0 || errno == EINVAL || errno == ENOTSUP;
+}
+
 }  // namespace
 
 AtomicFile::AtomicFile(std::filesystem::path path)
-    : path_(std::move(path)), temporary_(path_.string() + ".tmp." + std::to_string(::getpid())) {
+    : path_(std::move(path)), temporary_(beside(path_)) {
   descriptor_ = open_new(temporary_);
   if (descriptor_ < 0 && errno == EEXIST && ::unlink(temporary_.c_str()) == 0)
     descriptor_ = open_new(temporary_);  // left behind by a dead process of the same number
@@ -56,8 +69,7 @@ void AtomicFile::rollback() {
 
 void AtomicFile::commit(Sync sync) {
   flush();
-  if (sync == Sync::kYes && ::fsync(descriptor_) != 0 && errno != EINVAL && errno != ENOTSUP)
-    fail(errno);
+  if (sync == Sync::kYes && !synced(descriptor_)) fail(errno);
   if (::close(std::exchange(descriptor_, -1)) != 0 ||
       ::rename(temporary_.c_str(), path_.c_str()) != 0) {
     const int error = errno;
@@ -77,8 +89,22 @@ void AtomicFile::flush() {
   buffer_.clear();
 }
 
-void AtomicFile::fail(int error) const {
-  throw FileError("cannot write " + path_.string() + ": " + std::strerror(error));
+void AtomicFile::fail(int error) const { fail_to_write(path_, error); }
+
+PendingFile::PendingFile(std::filesystem::path path)
+    : path_(std::move(path)), temporary_(beside(path_)) {
+  if (::unlink(temporary_.c_str()) != 0 && errno != ENOENT) fail_to_write(path_, errno);
+}
+
+PendingFile::~PendingFile() { ::unlink(temporary_.c_str()); }
+
+void PendingFile::commit() {
+  const int descriptor = ::open(temporary_.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC);
+  if (descriptor < 0) fail_to_write(path_, errno);
+  const int error = synced(descriptor) ? 0 : errno;
+  ::close(descriptor);
+  if (error != 0) fail_to_write(path_, error);
+  if (::rename(temporary_.c_str(), path_.c_str()) != 0) fail_to_write(path_, errno);
 }
 
 void write_file(const std::filesystem::path& path, std::string_view content) {

@@ -40,6 +40,22 @@ class AtomicFile final {
   std::uintmax_t good_length_ = 0;
 };
 
+/// The same for a file that another library writes by name: under `temporary` until `commit` syncs
+/// it and renames it over `path`. Throws FileError like the above.
+class PendingFile final {
+ public:
+  explicit PendingFile(std::filesystem::path path);
+  ~PendingFile();  ///< removes what was not committed
+  PendingFile(const PendingFile&) = delete;
+  PendingFile& operator=(const PendingFile&) = delete;
+
+  const std::filesystem::path& temporary() const { return temporary_; }
+  void commit();
+
+ private:
+  std::filesystem::path path_, temporary_;
+};
+
 /// Writes a whole file that way.
 void write_file(const std::filesystem::path& path, std::string_view content);
 

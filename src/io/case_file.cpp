@@ -58,13 +58,22 @@ std::string read_title(const Section& root) {
 
 }  // namespace
 
-std::vector<wave::SeaState> read_sea_file(const std::filesystem::path& path) {
+SeaFile read_sea_file(const std::filesystem::path& path) {
   CaseSource source{.name = path.string(), .notices = {}, .warnings = {}};
   try {
     const toml::table table = parse(read_text(source, path, "sea states"), source);
-    const Section root(table, "", source, {"sea"});
-    root.require("sea", "required: sea states [[sea]]");
-    return read_sea_states(root);
+    const Section root(table, "", source, {"sea", "scatter"});
+    if (!root.find("scatter")) root.require("sea", "required: sea states [[sea]], or [[scatter]]");
+    SeaFile file{read_sea_states(root, path.parent_path()),
+                 read_wave_climates(root, path.parent_path()),
+                 {}};
+    for (const wave::SeaState& sea : file.seas)
+      FLOE_VALIDATE_AS(DataError, !sea.zones,
+                       source.name << ": sea " << sea.name
+                                   << " has zones (must stand in the case: its waves need the "
+                                      "fluid's pressures, which a run does not keep)");
+    file.notices = std::move(source.notices);
+    return file;
   } catch (const DataError&) {
     throw;
   } catch (const InputError& error) {
@@ -93,7 +102,7 @@ CaseFile read_case(const std::filesystem::path& path) {
   read_waves(root, file.data);
   read_solver(root, file.data);
   read_output(root, file.data);
-  read_seas(root, file.data);
+  read_seas(root, path.parent_path(), file.data);
   file.notices = std::move(source.notices);
   file.warnings = std::move(source.warnings);
   return file;

@@ -3,6 +3,7 @@
 #include "io/toml_section.hpp"
 
 #include <floe/analysis.hpp>
+#include <floe/wave/scatter_diagram.hpp>
 
 #include <filesystem>
 
@@ -18,9 +19,13 @@ void read_waves(const Section& root, Case& data);  ///< needs the water
 void read_solver(const Section& root, Case& data);
 void read_output(const Section& root, Case& data);  ///< needs the waves
 /// `[sea_grid]` and `[[sea]]`; a fault of a sea is a DataError.
-void read_seas(const Section& root, Case& data);
-/// `[[sea]]` alone.
-std::vector<wave::SeaState> read_sea_states(const Section& root);
+void read_seas(const Section& root, const std::filesystem::path& folder, Case& data);
+/// `[[sea]]` alone; the paths of measured spectra are taken from `folder`.
+std::vector<wave::SeaState> read_sea_states(const Section& root,
+                                            const std::filesystem::path& folder);
+/// `[[scatter]]`; the paths of its tables are taken from `folder`.
+std::vector<wave::WaveClimate> read_wave_climates(const Section& root,
+                                                  const std::filesystem::path& folder);
 
 /// Refuses a name that would be special in a table or a spreadsheet.
 void check_name(std::string_view name, const toml::source_region& place, const std::string& what,

@@ -8,6 +8,7 @@
 #include "io/vtu.hpp"
 
 #include <floe/io/directory_store.hpp>
+#include <floe/io/interchange.hpp>
 #include <floe/io/stored_run.hpp>
 #include <floe/mesh/mesh_hash.hpp>
 #include <floe/numeric/error.hpp>
@@ -279,6 +280,7 @@ void DirectoryStore::Impl::end(const std::string& status) {
   tables_->commit();
   tables_.reset();
   write_pvd(file("fields.pvd"), fields_);
+  write_netcdf(StoredRun(directory.path()), file("result.nc"), plate::DofSet::kPlate);
   account.status = status;
   write_account();
 }

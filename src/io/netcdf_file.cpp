@@ -5,6 +5,8 @@
 #include <netcdf.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <functional>
 #include <limits>
 #include <numeric>
@@ -65,8 +67,12 @@ void NetcdfFile::close() { check(nc_close(std::exchange(id_, kClosed))); }
 
 void NetcdfFile::check(int status, const std::string& what) const {
   if (status == NC_NOERR) return;
-  const std::string why = (what.empty() ? "" : what + ": ") + nc_strerror(status);
+  const int system_error = errno;  // what HDF5 met, if it was the file system
+  std::string why = (what.empty() ? "" : what + ": ") + nc_strerror(status);
   if (mode_ == Mode::kRead) fail_to_read(path_, why);
+  for (const int known : {ENOSPC, EDQUOT, EFBIG, EIO, EROFS})
+    if (status == NC_EHDFERR && system_error == known)
+      why += std::string(" (") + std::strerror(known) + ")";
   throw FileError("cannot write " + path_.string() + ": " + why);
 }
 
@@ -161,9 +167,13 @@ void NetcdfFile::add_texts(const std::string& name, const std::vector<std::strin
   check(nc_put_var_text(id_, variable, bytes.data()), name);
 }
 
-void NetcdfFile::define_numbers(const std::string& name, const std::vector<std::string>& dimensions,
-                                Compression compression) {
-  define(name, NC_DOUBLE, dimension_ids(dimensions), compression);
+void NetcdfFile::define_parts(const std::string& name, const std::vector<std::string>& dimensions,
+                              std::size_t split) {
+  const std::vector<int> ids = dimension_ids(dimensions);
+  const int variable = define(name, NC_DOUBLE, ids, Compression::kDeflate);
+  std::vector<std::size_t> chunk(ids.size(), 1);
+  for (std::size_t i = split; i < ids.size(); ++i) chunk[i] = length_of({ids[i]});
+  check(nc_def_var_chunking(id_, variable, NC_CHUNKED, chunk.data()), name);
 }
 
 void NetcdfFile::put_part(const std::string& name, const std::vector<std::size_t>& start,
@@ -234,7 +244,14 @@ void NetcdfFile::mask(const std::string& variable, const char* attribute,
 }
 
 std::vector<double> NetcdfFile::unpacked_numbers(const std::string& variable) const {
-  std::vector<double> values = numbers(variable);
+  const std::vector<std::size_t> extent = shape(variable);
+  return unpacked_numbers(variable, std::vector<std::size_t>(extent.size(), 0), extent);
+}
+
+std::vector<double> NetcdfFile::unpacked_numbers(const std::string& variable,
+                                                 const std::vector<std::size_t>& start,
+                                                 const std::vector<std::size_t>& count) const {
+  std::vector<double> values = numbers(variable, start, count);
   mask(variable, "_FillValue", values);
   mask(variable, "missing_value", values);
   const double scale = attribute_number(variable, "scale_factor").value_or(1.0);

@@ -44,9 +44,10 @@ class NetcdfFile final {
   /// Characters (values…, stringN) with N the longest length, attribute `_Encoding` = utf-8.
   void add_texts(const std::string& name, const std::vector<std::string>& dimensions,
                  const std::vector<std::string>& values);
-  /// A variable that is filled part by part.
-  void define_numbers(const std::string& name, const std::vector<std::string>& dimensions,
-                      Compression compression);
+  /// A deflated variable that is filled part by part, a part for each place of the first `split`
+  /// dimensions.
+  void define_parts(const std::string& name, const std::vector<std::string>& dimensions,
+                    std::size_t split);
   void put_part(const std::string& name, const std::vector<std::size_t>& start,
                 const std::vector<std::size_t>& count, std::span<const double> values);
 
@@ -64,6 +65,9 @@ class NetcdfFile final {
   /// The values meant: `scale_factor` and `add_offset` applied, NaN for `_FillValue` and
   /// `missing_value`.
   std::vector<double> unpacked_numbers(const std::string& variable) const;
+  std::vector<double> unpacked_numbers(const std::string& variable,
+                                       const std::vector<std::size_t>& start,
+                                       const std::vector<std::size_t>& count) const;
   /// Texts without the padding (zeros, blanks) at their ends; from characters or from strings.
   std::vector<std::string> texts(const std::string& variable) const;
   /// Nothing where there is no such attribute or it is of the other kind.

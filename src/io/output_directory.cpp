@@ -59,10 +59,11 @@ bool is_leftover_of(const std::string& name, const std::set<std::string>& produc
 }  // namespace
 
 const std::vector<std::string>& product_names() {
-  static const std::vector<std::string> names = {
-      "dry_modes.csv",      "rao_points.csv",  "rao_lines.csv",
-      "rao_quantities.csv", "wave_points.csv", "hydro_coefficients.csv",
-      "exciting_force.csv", "fields.pvd",      "run.json"};
+  static const std::vector<std::string> names = {"dry_modes.csv",      "rao_points.csv",
+                                                 "rao_lines.csv",      "rao_quantities.csv",
+                                                 "wave_points.csv",    "hydro_coefficients.csv",
+                                                 "exciting_force.csv", "fields.pvd",
+                                                 "result.nc",          "run.json"};
   return names;
 }
 
@@ -144,7 +145,10 @@ void OutputDirectory::look_at_content(Existing existing) {
 }
 
 void OutputDirectory::clear_earlier_run() {
-  if (!earlier_files_.empty()) earlier_files_.emplace_back("report.html");  // made after the run
+  if (!earlier_files_.empty())  // what other commands make after the run
+    for (const char* file : {"report.html", "result_rigid.nc", "result_all.nc", "result.1",
+                             "result.3", "result.3fk", "result.3sc", "result.4", "result.hst"})
+      earlier_files_.emplace_back(file);
   remove(std::exchange(earlier_files_, {}));
 }
 

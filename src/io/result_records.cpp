@@ -60,6 +60,7 @@ Record record_of(const FrequencyResult& result) {
   record.put("added_mass", result.added_mass);
   record.put("damping", result.damping);
   record.put("exciting_force", result.exciting_force);
+  record.put("froude_krylov_force", result.froude_krylov_force);
   record.put("amplitudes", result.amplitudes);
   record.put("line_deflection", result.line_deflection);
   record.put("point_deflection", result.point_deflection);
@@ -91,6 +92,7 @@ FrequencyResult frequency_from(const Record& record) {
   result.added_mass = record.real("added_mass");
   result.damping = record.real("damping");
   result.exciting_force = record.complex("exciting_force");
+  result.froude_krylov_force = record.complex("froude_krylov_force");
   result.amplitudes = record.complex("amplitudes");
   result.line_deflection = record.complex("line_deflection");
   result.point_deflection = record.complex("point_deflection");
@@ -159,11 +161,16 @@ Record record_of(const SeaTransfer& transfer) {
   Record record;
   record.put("omega", transfer.omega);
   record.put("state", transfer.state);
+  for (std::size_t z = 0; z < transfer.zone_states.size(); ++z)
+    record.put("zone " + std::to_string(z), transfer.zone_states[z]);
   return record;
 }
 
 SeaTransfer transfer_from(const Record& record) {
-  return {record.number("omega"), record.complex("state")};
+  SeaTransfer transfer{record.number("omega"), record.complex("state")};
+  for (std::size_t z = 0; record.holds("zone " + std::to_string(z)); ++z)
+    transfer.zone_states.push_back(record.complex("zone " + std::to_string(z)));
+  return transfer;
 }
 
 Record record_of(const SeaResult& result) {
@@ -178,7 +185,8 @@ Record record_of(const SeaResult& result) {
   record.put("line_deviation", result.line_deviation);
   record.put("node_moments", result.node_moments);
   record.put("facts", VecXd{{result.mean_heading_deg, result.duration, result.significant_height,
-                             result.share_outside, result.grid_error}});
+                             result.share_outside, result.grid_error, result.spreading_sum,
+                             result.band_height}});
   return record;
 }
 
@@ -199,6 +207,10 @@ SeaResult sea_from(const Record& record) {
   result.significant_height = facts.at(2);
   result.share_outside = facts.at(3);
   result.grid_error = facts.at(4);
+  if (facts.size() > 6) {  // version 0.1 did not keep these
+    result.spreading_sum = facts[5];
+    result.band_height = facts[6];
+  }
   return result;
 }
 

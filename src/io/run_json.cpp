@@ -27,15 +27,24 @@ Json sea_results_json(const RunAccount& account) {
     seas.push_back({{"sea", sea.name},
                     {"mean_heading_deg", sea.mean_heading_deg},
                     {"significant_height", sea.significant_height},
+                    {"band_height", sea.band_height},
+                    {"spreading_sum", sea.spreading_sum},
                     {"share_outside", sea.share_outside},
                     {"grid_error", sea.grid_error}});
+  Json climates = Json::array();
+  for (const RunAccount::Climate& climate : account.climates)
+    climates.push_back({{"scatter", climate.name},
+                        {"description", climate.description},
+                        {"share_outside", climate.share_outside},
+                        {"grid_error", climate.grid_error}});
   return {{"from", grid.omega.front()},
           {"to", grid.omega.back()},
           {"frequencies", grid.omega.size()},
           {"solved_frequencies", grid.solved_frequencies},
           {"interpolation_error", grid.interpolation_error},
           {"headings", grid.headings},
-          {"results", seas}};
+          {"results", seas},
+          {"scatter", climates}};
 }
 
 Json plan_json(const RunAccount& account) {
@@ -61,7 +70,13 @@ Json frequency_json(const FrequencyReport& report, double wavenumber) {
 }  // namespace
 
 RunAccount::Sea summary_of(const SeaResult& result) {
-  return {result.sea, result.mean_heading_deg, result.significant_height, result.share_outside,
+  return {result.sea,         result.mean_heading_deg, result.significant_height,
+          result.band_height, result.spreading_sum,    result.share_outside,
+          result.grid_error};
+}
+
+RunAccount::Climate summary_of(const LongTermResult& result) {
+  return {result.climate.name, result.climate.description, result.energy_outside(),
           result.grid_error};
 }
 

@@ -2,6 +2,7 @@
 
 #include <floe/analysis.hpp>
 #include <floe/estimate.hpp>
+#include <floe/long_term_statistics.hpp>
 
 #include <filesystem>
 #include <string>
@@ -27,15 +28,24 @@ struct RunAccount {
   SeaGridReport sea_grid;  ///< no frequency: no seas
   struct Sea {
     std::string name;
-    double mean_heading_deg, significant_height, share_outside, grid_error;
+    double mean_heading_deg, significant_height, band_height, spreading_sum, share_outside,
+        grid_error;
   };
   std::vector<Sea> seas;
+  struct Climate {
+    std::string name, description;
+    double share_outside, grid_error;
+  };
+  std::vector<Climate> climates;
   std::vector<StageTime> stages;
   std::vector<std::string> files;  ///< all files of the run, relative
 };
 
 /// What the account tells of one sea and mean heading.
 RunAccount::Sea summary_of(const SeaResult& result);
+
+/// And of one scatter diagram.
+RunAccount::Climate summary_of(const LongTermResult& result);
 
 /// The text of `run.json`. Numbers that are not finite become null, an infinite depth "inf".
 std::string run_json(const Case& data, const RunAccount& account);

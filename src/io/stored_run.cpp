@@ -58,13 +58,18 @@ mesh::Q8Mesh StoredRun::mode_mesh() const {
 
 plate::DryModes StoredRun::modes() const { return modes_from(Record::read(record(kModes))); }
 
+bool StoredRun::has_frequency(std::size_t place) const {
+  return std::filesystem::exists(record(numbered_record("frequency", place)));
+}
+
+FrequencyResult StoredRun::frequency(std::size_t place) const {
+  return frequency_from(Record::read(record(numbered_record("frequency", place))));
+}
+
 std::vector<FrequencyResult> StoredRun::frequencies() const {
   std::vector<FrequencyResult> results;
-  for (std::size_t i = 0; i < data_.omega.size(); ++i) {
-    const std::filesystem::path path = record(numbered_record("frequency", i));
-    if (!std::filesystem::exists(path)) break;
-    results.push_back(frequency_from(Record::read(path)));
-  }
+  for (std::size_t i = 0; i < data_.omega.size(); ++i)
+    if (has_frequency(i)) results.push_back(frequency(i));
   return results;
 }
 

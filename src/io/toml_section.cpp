@@ -146,6 +146,15 @@ int Section::integer_or(const std::string& key, int least, int largest, int fall
   return find(key) ? integer(key, least, largest) : fallback;
 }
 
+bool Section::flag_or(const std::string& key, bool fallback) const {
+  const toml::node* node = find(key);
+  if (!node) return fallback;
+  if (!node->is_boolean())
+    source_.refuse(node->source(), fmt::format("invalid {} = {} (must be true or false)",
+                                               full_name(key), shown(*node)));
+  return node->as_boolean()->get();
+}
+
 std::string Section::text_or(const std::string& key, const std::string& fallback) const {
   const toml::node* node = find(key);
   if (!node) return fallback;

@@ -58,6 +58,7 @@ class Section {
   double number_or(const std::string& key, const NumberRule& rule, double fallback) const;
   int integer(const std::string& key, int least, int largest) const;
   int integer_or(const std::string& key, int least, int largest, int fallback) const;
+  bool flag_or(const std::string& key, bool fallback) const;
   std::string text_or(const std::string& key, const std::string& fallback) const;
   /// A list of numbers, or `{ from = …, to = …, count = … }`: equidistant, ends included.
   NumberList numbers(const std::string& key, const NumberRule& rule) const;

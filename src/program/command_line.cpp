@@ -35,6 +35,7 @@ Examples:
   floe run plate.toml -o out --threads 8  another folder, eight threads
   floe report table1.out                  one page to look at: table1.out/report.html
   floe stats table1_seas.out --sea storm.toml   other seas, without solving again
+  floe export table1.out --format netcdf --rigid-only   six motions, for other programs
   floe mesh rectangle --length 300 --width 60 --nx 50 --ny 10 -o plate.msh
 
 Exit codes: 0 done, 2 command line, 3 case file, 4 mesh, 5 sea states, 6 memory, 7 files, 8 not converged,
@@ -86,6 +87,7 @@ struct Choice {
   RunOptions run;
   StatsOptions stats;
   ReportOptions report;
+  ExportOptions exported;
   std::string memory, max_time;
   std::function<void()> action;  // what the chosen command does
 };
@@ -170,10 +172,36 @@ void add_report(CLI::App& app, Choice& choice) {
   command.callback([&choice] { choice.action = [&choice] { make_report(choice.report); }; });
 }
 
+void add_export(CLI::App& app, Choice& choice) {
+  CLI::App& command =
+      *app.add_subcommand("export", "write the results of a run as files of other programs");
+  ExportOptions& options = choice.exported;
+  command.add_option("directory", options.directory, "results of a run")
+      ->required()
+      ->type_name("DIR");
+  command.add_option("--format", options.format, "netcdf (as capytaine's) or wamit")
+      ->required()
+      ->type_name("netcdf|wamit")
+      ->check(one_of("--format", "netcdf or wamit",
+                     [](const std::string& text) { return text == "netcdf" || text == "wamit"; }));
+  CLI::Option* rigid = command.add_flag("--rigid-only", options.rigid_only,
+                                        "surge to yaw of each plate, no elastic modes");
+  command
+      .add_flag("--all-dofs", options.all_dofs, "surge to yaw of each plate, then elastic modes")
+      ->excludes(rigid);
+  command
+      .add_option("--length", options.length, "length of WAMIT's normalisation [m] (default: 1)")
+      ->type_name("L");
+  command.add_option("-o", options.output, "file to write; for wamit without its suffix")
+      ->type_name("FILE");
+  command.callback(
+      [&choice] { choice.action = [&choice] { export_for_others(choice.exported); }; });
+}
+
 // A first word that is no command gets the nearest one named
-void refuse_unknown_command(const std::string& command) {
-  const std::vector<std::string> known = {"run",  "check", "stats", "report",
-                                          "mesh", "init",  "man",   "completion"};
+void refuse_unknown_command(const std::string& command, const CLI::App& app) {
+  std::vector<std::string> known;
+  for (const CLI::App* word : app.get_subcommands({})) known.push_back(word->get_name());
   if (command.empty() || command[0] == '-' ||
       std::find(known.begin(), known.end(), command) != known.end())
     return;
@@ -185,15 +213,15 @@ void refuse_unknown_command(const std::string& command) {
 }
 
 // Commands and flags of the documented interface that this version does not serve yet
-void refuse_later_words(int argc, char** argv) {
+void refuse_later_words(int argc, char** argv, const CLI::App& app) {
   const auto refuse = [](const std::string& word) {
     throw UsageError(
         fmt::format("{} is not available yet in this version ({})", word, FLOE_VERSION));
   };
   const std::string command = argc > 1 ? argv[1] : "";
-  for (const char* later : {"status", "export", "merge", "converge"})
+  for (const char* later : {"status", "merge", "converge"})
     if (command == later) refuse("floe " + command);
-  refuse_unknown_command(command);
+  refuse_unknown_command(command, app);
   for (int i = 1; i < argc; ++i) {
     const std::string word = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
     if (word == "--") return;
@@ -202,7 +230,6 @@ void refuse_later_words(int argc, char** argv) {
 }
 
 int parse_and_run(int argc, char** argv) {
-  refuse_later_words(argc, argv);
   Choice choice;
   CLI::App app(kAbout, "floe");
   app.set_version_flag("--version", "floe " FLOE_VERSION);
@@ -211,10 +238,12 @@ int parse_and_run(int argc, char** argv) {
   add_check(app, choice);
   add_stats(app, choice);
   add_report(app, choice);
+  add_export(app, choice);
   add_mesh_commands(app, choice.action);
   add_init(app, choice.action);
   add_documents(app, choice.action);
   app.footer(kExamples);
+  refuse_later_words(argc, argv, app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {  // --help, --version

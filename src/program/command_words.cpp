@@ -48,10 +48,13 @@ ValueKind kind_of(const Flag& flag) {
   if (flag.value.empty()) return ValueKind::kNothing;
   if (flag.value.find('|') != std::string::npos) return ValueKind::kChoice;
   if (flag.value == "DIR") return ValueKind::kFolder;
-  return flag.value.find('.') == std::string::npos ? ValueKind::kOther : ValueKind::kFile;
+  const bool file = flag.value == "FILE" || flag.value.find('.') != std::string::npos;
+  return file ? ValueKind::kFile : ValueKind::kOther;
 }
 
-std::string file_ending(const Flag& flag) { return flag.value.substr(flag.value.rfind('.')); }
+std::string file_ending(const Flag& flag) {
+  return flag.value == "FILE" ? "" : flag.value.substr(flag.value.rfind('.'));
+}
 
 std::vector<std::string> choices_of(const Flag& flag) {
   std::vector<std::string> choices;

@@ -39,7 +39,7 @@ std::vector<const Command*> all_commands(const Command& top);
 enum class ValueKind { kNothing, kChoice, kFolder, kFile, kOther };
 ValueKind kind_of(const Flag& flag);
 
-/// "CASE.toml" gives ".toml"; "a|b" gives {"a", "b"}.
+/// "CASE.toml" gives ".toml", "FILE" any; "a|b" gives {"a", "b"}.
 std::string file_ending(const Flag& flag);
 std::vector<std::string> choices_of(const Flag& flag);
 

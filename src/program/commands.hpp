@@ -46,6 +46,18 @@ struct ReportOptions {
 /// Writes the report of a run, one HTML page.
 void make_report(const ReportOptions& options);
 
+struct ExportOptions {
+  std::filesystem::path directory;  ///< of a run
+  std::string format;               ///< "netcdf" or "wamit"
+  bool rigid_only = false;          ///< the six rigid motions of each body and nothing else
+  bool all_dofs = false;            ///< these and the elastic modes
+  double length = 1.0;              ///< of WAMIT's normalisation [m]
+  std::filesystem::path output;     ///< file or, for WAMIT, files' stem; empty: in the directory
+};
+
+/// Writes a run as files that other programs read.
+void export_for_others(const ExportOptions& options);
+
 struct MeshOptions {
   mesh::Shape shape;
   std::filesystem::path output;

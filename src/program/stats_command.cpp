@@ -3,6 +3,7 @@
 #include <floe/io/case_file.hpp>
 #include <floe/io/statistics_store.hpp>
 #include <floe/io/stored_run.hpp>
+#include <floe/long_term_statistics.hpp>
 #include <floe/numeric/error.hpp>
 #include <floe/sea_statistics.hpp>
 
@@ -33,16 +34,53 @@ class RememberedLog final : public Log {
 };
 
 // The frequencies were chosen for other seas: a narrow spectrum may fall between them
-void warn_of_coarse_grid(const wave::SeaState& sea, const std::vector<double>& omega, Log& log) {
+void warn_of_coarse_grid(const std::string& sea, double error, Log& log) {
+  if (error > 1e-2)
+    log.warning(
+        fmt::format("{}: the frequencies of the run give its m0 with an error of "
+                    "{:.2g} % (run the case with closer ones)",
+                    sea, 100.0 * error));
+}
+
+double grid_error(const wave::SeaState& sea, const std::vector<double>& omega) {
   const std::vector<double> weight = response::trapezoid_weights(omega);
   double sum = 0.0;
   for (std::size_t i = 0; i < omega.size(); ++i) sum += weight[i] * sea.density(omega[i]);
-  const double error = std::abs(sum - sea.variance(omega.front(), omega.back())) / sea.m0();
-  if (error > 1e-2)
-    log.warning(
-        fmt::format("sea {}: the frequencies of the run give its m0 with an error of "
-                    "{:.2g} % (run the case with this sea for closer ones)",
-                    sea.name, 100.0 * error));
+  return std::abs(sum - sea.variance(omega.front(), omega.back())) / sea.m0();
+}
+
+void check_seas(const io::SeaFile& file, const std::vector<double>& omega, Log& log) {
+  const std::string remedy = "run with a wider sea_grid.omega";
+  for (const wave::SeaState& sea : file.seas) {
+    require_band(sea, omega.front(), omega.back(), remedy, log);
+    warn_of_coarse_grid("sea " + sea.name, grid_error(sea, omega), log);
+  }
+  for (const wave::WaveClimate& climate : file.climates)
+    require_band(climate, omega.front(), omega.back(), remedy, log);
+}
+
+// The largest values of the longest return period
+void tell_climate(const LongTermResult& result, const Case& data, Account& account) {
+  account.info(fmt::format(" scatter {}: {}, {:.2g} % of the energy outside {}",
+                           result.climate.name, result.climate.description,
+                           100.0 * result.energy_outside(), "the frequencies"));
+  const double years = result.climate.return_period_years.back();
+  for (std::size_t k = 0; k < result.quantity.size(); ++k) {
+    const response::Quantity quantity = data.quantities[result.quantity[k]];
+    double largest = 0.0;
+    std::string where;
+    for (std::size_t i = 0; i < data.points.size(); ++i) {
+      const auto distribution = result.distribution(k, static_cast<Index>(i));
+      const double value =
+          distribution.moves() ? distribution.return_value(years * 365.25 * 86'400.0) : 0.0;
+      if (value > largest) where = data.points[i].name;
+      largest = std::max(largest, value);
+    }
+    if (largest > 0.0)
+      account.info(fmt::format("   in {} years {} {:.4g} {} at {}", years,
+                               response::label(quantity), largest, response::unit(quantity),
+                               where));
+  }
 }
 
 }  // namespace
@@ -53,36 +91,41 @@ void tell_statistics(const StatsOptions& options) {
   Account account(ProgressStyle::kAuto);
   RememberedLog log(account);
   const io::StoredRun run(options.directory);
-  const std::vector<wave::SeaState> seas = io::read_sea_file(options.sea_file);
+  const io::SeaFile file = io::read_sea_file(options.sea_file);
+  for (const std::string& notice : file.notices) account.notice(notice);
   FLOE_VALIDATE_AS(StoreError, run.has_transfers(),
                    run.directory().string()
                        << " holds no transfer functions for seas (run the case with a [[sea]], or "
                           "with sea_grid.omega = { from, to })");
   const SeaGridReport grid = run.sea_grid();
-  for (const wave::SeaState& sea : seas) {
-    require_band(sea, grid.omega.front(), grid.omega.back(), "run with a wider sea_grid.omega",
-                 log);
-    warn_of_coarse_grid(sea, grid.omega, log);
-  }
+  check_seas(file, grid.omega, log);
 
   // Put the seas on them
-  SeaStatistics statistics(seas, run.observation(), grid.omega, grid.headings);
+  SeaStatistics statistics(file.seas, run.observation(), grid.omega, grid.headings);
+  LongTermStatistics many_years(file.climates, run.observation(), grid.omega, grid.headings);
   for (std::size_t i = 0; i < grid.omega.size(); ++i) {
     log.progress(static_cast<double>(i) / static_cast<double>(grid.omega.size()),
                  fmt::format("{:.3f} rad/s", grid.omega[i]));
-    statistics.add(run.transfer(i));
+    const SeaTransfer transfer = run.transfer(i);
+    statistics.add(transfer);
+    many_years.add(transfer);
   }
+  Case data = run.data();
+  data.seas = file.seas;
   const std::vector<SeaResult> results = statistics.results();
   for (const SeaResult& result : results) account.sea(result);
+  const std::vector<LongTermResult> long_term = many_years.results();
+  for (const LongTermResult& result : long_term) {
+    warn_of_coarse_grid("scatter " + result.climate.name, result.grid_error, log);
+    tell_climate(result, data, account);
+  }
 
   // Store what came out
-  Case data = run.data();
-  data.seas = seas;
   const std::filesystem::path output =
       options.output.empty() ? options.sea_file.stem().string() + ".out" : options.output.string();
   const std::vector<std::string> files =
       io::store_statistics(output, options.fresh ? io::Existing::kReplace : io::Existing::kRefuse,
-                           data, run.fluid_mesh(), grid, results, log.warnings);
+                           data, run.fluid_mesh(), grid, results, long_term, log.warnings);
   account.show_warnings();
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   account.gap();

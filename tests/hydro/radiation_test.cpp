@@ -74,6 +74,22 @@ TEST(identity_Radiation, DirectAndReciprocalForcesAgree) {
   EXPECT_LE(test::relative_error(reciprocal, direct), 5e-3);
 }
 
+TEST(identity_Radiation, ForcesOfAWaveThatIsHigherOnOneSideAgreeToo) {
+  // Reciprocity holds for any elevation: an amplitude that goes from 0 to 1 along the plate (E.25)
+  const std::vector<double> heading{0.0, 0.4, 1.2, 2.5};
+  const SolvedPlate& plate = solved();
+  const VecXcd amplitude =
+      (0.5 + (plate.mesh.nodes().row(0).transpose().array() / 60.0)).matrix().cast<Complex>();
+  const MatXcd elevation =
+      amplitude.asDiagonal() * incident_elevation(plate.mesh.nodes(), plate.wavenumber, heading);
+  const MatXcd direct =
+      exciting_forces_direct(plate.deflection, plate.surface_mass,
+                             solve_diffraction(plate.pressure_operator, elevation, kWater, 1e-10));
+  const MatXcd reciprocal = exciting_forces(amplitude.asDiagonal() * plate.radiation.pressure,
+                                            wave_loads(plate.mesh, plate.wavenumber, heading));
+  EXPECT_LE(test::relative_error(reciprocal, direct), 5e-3);
+}
+
 TEST(identity_Radiation, OfATransposedProblemIsNotTheSameProblem) {
   // A guard for the tests above: a wave from the other side gives another force
   const SolvedPlate& plate = solved();

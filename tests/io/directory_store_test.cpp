@@ -179,6 +179,7 @@ TEST(DirectoryStore, ShowsTablesOnlyWhenTheyAreComplete) {
   const mesh::Q8Mesh mesh = small_mesh();
   DirectoryStore store(folder.path() / "out");
   store.begin(small_case(), mesh, estimate(small_case(), mesh, nullptr, 1));
+  store.modes(small_modes(), mesh);
   store.frequency(small_result(0.4));
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "out/rao_points.csv"));
   EXPECT_EQ(nlohmann::json::parse(folder.read("out/run.json")).at("status"), "running");

@@ -37,7 +37,7 @@ std::filesystem::path write_example(const test::TestFolder& folder) {
   file.add_integers("count", {"row"}, std::vector<int>{7, -8});
   file.add_texts("name", {"column"}, {"Heave", "Roll", "schräg"});
   file.add_texts("body", {}, {"plate"});
-  file.define_numbers("parts", {"row", "column"}, Compression::kDeflate);
+  file.define_parts("parts", {"row", "column"}, 1);
   file.put_part("parts", {1, 0}, {1, 3}, std::vector<double>{4.0, 5.0, 6.0});
   file.put_part("parts", {0, 0}, {1, 3}, std::vector<double>{1.0, 2.0, 3.0});
   file.close();

@@ -44,8 +44,8 @@ TEST(Program, RefusesWrongCommandLinesWithTwo) {
   folder.write("case.toml", kCaseText);
   const std::pair<const char*, const char*> table[] = {
       {"",
-       "missing word after floe (must be one of run, check, stats, report, mesh, init, man, "
-       "completion; floe --help tells more)"},
+       "missing word after floe (must be one of run, check, stats, report, export, mesh, init, "
+       "man, completion; floe --help tells more)"},
       {"rnu case.toml", "unknown command rnu (did you mean run?)"},
       {"run", "case is required"},
       {"run case.toml --bogus", "unknown flag --bogus (known are "},
@@ -79,6 +79,7 @@ TEST(Program, RefusesWrongCommandLinesWithTwo) {
       {"mesh rectangle --length 3 --width -1 --nx 2 --ny 2 -o a.msh",
        "invalid rectangle width = -1 m (must be positive)"},
       {"mesh rectangle --length 3 --width 1 --nx 0 --ny 2 -o a.msh", "must be at least 1"},
+      {"export some.out --format tecplot", "invalid --format = tecplot (must be netcdf or wamit)"},
       {"mesh disk", "unknown word disk (did you mean disc?)"},
       {"mesh disc --radius 0 --element-size 1 -o a.msh",
        "invalid disc radius = 0 m (must be positive)"},
@@ -103,8 +104,7 @@ TEST(Program, RefusesWrongCommandLinesWithTwo) {
 
 TEST(Program, RefusesWhatComesLaterByName) {
   const TestFolder folder;
-  for (const char* arguments :
-       {"status", "export", "merge", "converge", "run a.toml --shard=1/2"}) {
+  for (const char* arguments : {"status", "merge", "converge", "run a.toml --shard=1/2"}) {
     const ProgramResult result = run_floe(folder, arguments);
     EXPECT_EQ(result.code, 2) << arguments;
     EXPECT_THAT(result.error, HasSubstr("is not available yet in this version")) << arguments;

@@ -58,10 +58,11 @@ TEST(Run, StoresTheWholeResultOfATinyCase) {
   EXPECT_THAT(result.output, HasSubstr("37 nodes, 8 elements, 1 piece"));
   EXPECT_THAT(result.output, HasSubstr("tiny.out"));
   EXPECT_THAT(names_in(folder.path()), ElementsAre("tiny.out", "tiny.toml"));
-  EXPECT_THAT(names_in(folder.path() / "tiny.out"),
-              ElementsAre("dry_modes.csv", "exciting_force.csv", "fields", "fields.pvd",
-                          "hydro_coefficients.csv", "rao_lines.csv", "rao_points.csv",
-                          "rao_quantities.csv", "records", "run.json", "wave_points.csv"));
+  EXPECT_THAT(
+      names_in(folder.path() / "tiny.out"),
+      ElementsAre("dry_modes.csv", "exciting_force.csv", "fields", "fields.pvd",
+                  "hydro_coefficients.csv", "rao_lines.csv", "rao_points.csv", "rao_quantities.csv",
+                  "records", "result.nc", "run.json", "wave_points.csv"));
   EXPECT_EQ(rows_in(folder.read("tiny.out/dry_modes.csv")), 6);
   EXPECT_EQ(rows_in(folder.read("tiny.out/rao_points.csv")), 2 * 2 * 2);
   EXPECT_EQ(rows_in(folder.read("tiny.out/rao_lines.csv")), 2 * 2 * 5);
@@ -149,7 +150,8 @@ TEST(Stats, NameWhatIsMissing) {
       {"stats tiny.out --sea storm.toml", 9, "holds no transfer functions for seas (run the case"},
       {"stats none --sea storm.toml", 9, "no result of floe in none: run.json cannot be read"},
       {"stats tiny.out --sea bad.toml", 5, "bad.toml:1:1: missing sea[0].spectrum"},
-      {"stats tiny.out --sea none.toml", 5, "none.toml:1:1: unknown key x (known are sea)"},
+      {"stats tiny.out --sea none.toml", 5,
+       "none.toml:1:1: unknown key x (known are sea, scatter)"},
       {"stats tiny.out --sea absent.toml", 5, "absent.toml: cannot read: No such file"},
       {"stats tiny.out", 2, "--sea is required"},
   };
@@ -158,6 +160,48 @@ TEST(Stats, NameWhatIsMissing) {
     EXPECT_EQ(result.code, code) << arguments;
     EXPECT_THAT(result.error, HasSubstr(message));
   }
+}
+
+TEST(Stats, TellWhatIsExceededInManyYears) {
+  const TestFolder folder;
+  folder.write("tiny.toml", kCaseText + kOutput + kSeaSection);
+  ASSERT_EQ(run_floe(folder, "run tiny.toml --allow-coarse").code, 0);
+  folder.write("north.csv", "Hs\\Tz,8.5,10.5,12.5\n1.5,50,30,0\n3.5,4,10,6\n");
+  const std::string scatter = R"([[scatter]]
+name = "north"
+file = "north.csv"
+period_type = "Tz"
+spectrum = "bretschneider"
+spreading = "cos2"
+mean_heading_deg = [0, 90]
+heading_probability = [0.8, 0.2]
+allow_truncation = true
+)";
+  folder.write("climate.toml", scatter);
+  const ProgramResult result = run_floe(folder, "stats tiny.out --sea climate.toml");
+  ASSERT_EQ(result.code, 0) << result.error;
+  EXPECT_THAT(result.output, HasSubstr("scatter north: 2 heights × 3 Tz, bretschneider"));
+  EXPECT_THAT(result.output, HasSubstr("in 100 years deflection w "));
+  // Two headings, three periods, two points, two quantities; three return periods
+  EXPECT_EQ(rows_in(folder.read("climate.out/short_term.csv")), 2 * 3 * 2 * 2);
+  EXPECT_EQ(rows_in(folder.read("climate.out/return_values.csv")), 2 * 2 * 3);
+  EXPECT_GT(rows_in(folder.read("climate.out/long_term.csv")), 2 * 2 * 20);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "climate.out/statistics_points.csv"));
+  const auto run = nlohmann::json::parse(folder.read("climate.out/run.json"));
+  EXPECT_EQ(run.at("seas").at("scatter").at(0).at("scatter"), "north");
+  EXPECT_EQ(run.at("files").size(), 4u);
+
+  // With a sea beside it; and a table that is none
+  folder.write("both.toml", scatter + kSeaFile);
+  ASSERT_EQ(run_floe(folder, "stats tiny.out --sea both.toml").code, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "both.out/statistics_points.csv"));
+  EXPECT_EQ(folder.read("both.out/return_values.csv"),
+            folder.read("climate.out/return_values.csv"));
+  folder.write("north.csv", "Hs,8.5,10.5\n1.5,50\n");
+  const ProgramResult ragged = run_floe(folder, "stats tiny.out --sea both.toml --fresh");
+  EXPECT_EQ(ragged.code, 5);
+  EXPECT_THAT(ragged.error, HasSubstr("north.csv:2: a row of 2 cells (must be 3"));
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "both.out/statistics_points.csv"));
 }
 
 TEST(Stats, NoticeADamagedRecord) {

@@ -32,10 +32,20 @@ inline mesh::Q8Mesh small_mesh() {
   return mesh::make_rectangle(std::get<mesh::RectangleOptions>(small_case().mesh));
 }
 
+/// Heave, roll and pitch of a body of 4 kg and a bent shape, as if mass-normalised.
 inline plate::DryModes small_modes() {
   plate::DryModes modes;
   modes.omega = (VecXd(4) << 0.0, 0.0, 0.0, 1.0 / 3.0).finished();
   modes.rigid_count = 3;
+  modes.modal_mass = MatXd::Identity(4, 4);
+  const mesh::Q8Mesh mesh = small_mesh();
+  modes.shape = MatXd::Zero(3 * mesh.node_count(), 4);
+  for (Index n = 0; n < mesh.node_count(); ++n) {
+    const double x = mesh.nodes()(0, n), y = mesh.nodes()(1, n);
+    modes.shape.middleRows<3>(3 * n) << 0.5, 0.1 * y, -0.05 * x, 1e-3 * x * x,  //
+        0.0, 0.1, 0.0, 0.0,                                                     //
+        0.0, 0.0, 0.05, -2e-3 * x;
+  }
   return modes;
 }
 
@@ -55,6 +65,7 @@ inline FrequencyResult small_result(double omega) {
   result.added_mass = numbered(omega, 4, 4).real();
   result.damping = numbered(omega, 4, 4).imag();
   result.exciting_force = numbered(omega, 4, 2);
+  result.froude_krylov_force = numbered(0.5 * omega, 4, 2);
   result.amplitudes = numbered(omega, 4, 2);
   result.line_deflection = numbered(omega, 5, 2);
   result.point_deflection = numbered(omega, 2, 2);

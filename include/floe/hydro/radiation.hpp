@@ -41,6 +41,11 @@ MatXcd exciting_forces(const MatXcd& radiation_pressure, const MatXcd& wave_load
 MatXcd exciting_forces_direct(const Eigen::Ref<const MatXd>& deflection,
                               const SparseMatrix& surface_mass, const MatXcd& wave_pressure);
 
+/// Froude–Krylov forces: of the incident wave's own pressure ρgζ, as if nothing disturbed it
+/// (H.11), F_i(β) = ρg ∫ w_i ζ dS, q × headings; the rest of the exciting force is diffraction.
+MatXcd froude_krylov_forces(const Eigen::Ref<const MatXd>& deflection, const MatXcd& wave_loads,
+                            const wave::Water& water);
+
 /// Damping from the energy that the modes radiate (H.7):
 ///   b_ij = k/(8πρg c_g) ∫ X_i X_j* dβ over all headings, X = F per metre of wave,
 /// by 2kR + 20 equidistant headings or more, R half the diagonal. Independent of the imaginary part

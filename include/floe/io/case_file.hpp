@@ -1,6 +1,7 @@
 #pragma once
 
 #include <floe/analysis.hpp>
+#include <floe/wave/scatter_diagram.hpp>
 
 #include <filesystem>
 #include <string>
@@ -23,9 +24,17 @@ struct CaseFile {
 /// that it names is not there; BudgetError when it asks for more than 100 000 frequencies.
 CaseFile read_case(const std::filesystem::path& path);
 
-/// Reads the `[[sea]]` sections of a file that holds nothing else.
-/// Throws DataError with the place, also when there is none.
-std::vector<wave::SeaState> read_sea_file(const std::filesystem::path& path);
+/// The sea states and wave climates of a file of its own.
+struct SeaFile {
+  std::vector<wave::SeaState> seas;
+  std::vector<wave::WaveClimate> climates;
+  std::vector<std::string> notices;  ///< something was repaired
+};
+
+/// Reads the `[[sea]]` and `[[scatter]]` sections of a file that holds nothing else; paths of
+/// tables are taken from its folder. Throws DataError with the place, also when there is none of
+/// both.
+SeaFile read_sea_file(const std::filesystem::path& path);
 
 /// The name among `known` that is closest to `name`, or "" if none is close: at most a third of its
 /// letters wrong (a swap of neighbours counts as one).

@@ -31,6 +31,9 @@ class StoredRun {
   mesh::Q8Mesh mode_mesh() const;  ///< the plate's own, or else the fluid's
   plate::DryModes modes() const;
   std::vector<FrequencyResult> frequencies() const;  ///< those that were finished, without fields
+  /// Whether the one of that place in data().omega was finished; it, with its fields.
+  bool has_frequency(std::size_t place) const;
+  FrequencyResult frequency(std::size_t place) const;
   std::vector<SeaResult> seas() const;
 
   /// Whether transfer functions for seas are there.

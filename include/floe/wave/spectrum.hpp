@@ -22,11 +22,16 @@ class Spectrum {
 
   /// ∫ S dω from `from` to `to` (may be infinite) [m²], relative error 1e-8 of m0.
   double variance(double from, double to) const;
+  /// ∫ ω^order S dω over all frequencies, order -1 to 2 [m² (rad/s)^order]. Tables that begin at 0
+  /// have no order -1.
+  double moment(int order) const;
   double m0() const { return m0_; }  ///< over all frequencies [m²]
 
  private:
   Spectrum() = default;
   double shape(double omega) const;
+  double integral(int order, double from, double to) const;
+  double table_integral(int order, double from, double to) const;
 
   double peak_ = 0.0;   // [rad/s]
   double tail_ = 0.0;   // factor of ω⁻⁵ [m² s⁻⁴]
