@@ -99,7 +99,7 @@ def check_examples(floe, root):
 
 
 def check_new_case(floe, documented):
-    """What `floe init` writes names every key, and is accepted."""
+    """What `floe init` writes names every key but those of special seas, and is accepted."""
     with tempfile.TemporaryDirectory() as folder:
         made = subprocess.run([floe, "init", "new.toml", "--sea", "2", "6.3"], cwd=folder, capture_output=True, text=True, check=False)
         if made.returncode != 0:
@@ -109,8 +109,8 @@ def check_new_case(floe, documented):
     code, error = check_case(floe, text)
     if code != 0:
         yield f"floe init writes a case that is refused: {error.strip()}"
-    for section, keys in documented.items():
-        for key in sorted(keys):
+    for section in ("", "water", "plate", "mesh", "modes", "waves", "solver", "sea_grid", "output"):
+        for key in sorted(documented[section]):
             if not re.search(rf"\b{key}\b", text):
                 yield f"floe init: {section or 'at the top'} {key} is not named in what it writes"
 
