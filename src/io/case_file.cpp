@@ -31,12 +31,10 @@ toml::table parse(const std::string& content, const CaseSource& source) {
   }
 }
 
-std::string read_text(const CaseSource& source, const std::filesystem::path& path,
-                      const std::string& what) {
-  std::string content = read_regular_file(path, kLargestFile);
+void require_content(const std::string& content, const CaseSource& source,
+                     const std::string& what) {
   FLOE_VALIDATE(content.find_first_not_of(" \t\r\n") != std::string::npos,
                 source.name << ": the file is empty (must hold " << what << ")");
-  return content;
 }
 
 void require_sections(const Section& root) {
@@ -74,7 +72,9 @@ std::string read_title(const Section& root) {
 SeaFile read_sea_file(const std::filesystem::path& path) {
   CaseSource source{.name = path.string(), .notices = {}, .warnings = {}};
   try {
-    const toml::table table = parse(read_text(source, path, "sea states"), source);
+    const std::string content = read_regular_file(path, kLargestFile);
+    require_content(content, source, "sea states");
+    const toml::table table = parse(content, source);
     const Section root(table, "", source, {"sea", "scatter"});
     if (!root.find("scatter")) root.require("sea", "required: sea states [[sea]], or [[scatter]]");
     SeaFile file{read_sea_states(root, path.parent_path()),
@@ -95,10 +95,15 @@ SeaFile read_sea_file(const std::filesystem::path& path) {
 }
 
 CaseFile read_case(const std::filesystem::path& path) {
-  // Read and parse the file
-  CaseSource source{.name = path.string(), .notices = {}, .warnings = {}};
-  const std::string content = read_text(source, path, "a case");
-  const toml::table table = parse(content, source);
+  return read_case_text(read_regular_file(path, kLargestFile), path.string(), path.parent_path());
+}
+
+CaseFile read_case_text(const std::string& text, const std::string& name,
+                        const std::filesystem::path& folder) {
+  // Parse the text
+  CaseSource source{.name = name, .notices = {}, .warnings = {}};
+  require_content(text, source, "a case");
+  const toml::table table = parse(text, source);
   const Section root(
       table, "", source,
       {"title", "water", "plate", "mesh", "modes", "waves", "solver", "sea_grid", "sea", "output"});
@@ -106,16 +111,16 @@ CaseFile read_case(const std::filesystem::path& path) {
 
   // Check each section and take it over
   CaseFile file;
-  file.data.text = content;
+  file.data.text = text;
   file.data.title = read_title(root);
   read_water(root, file.data);
   read_plate(root, file.data);
-  read_meshes(root, path.parent_path(), file.data);
+  read_meshes(root, folder, file.data);
   read_modes(root, file.data);
   read_waves(root, file.data);
   read_solver(root, file.data);
   read_output(root, file.data);
-  read_seas(root, path.parent_path(), file.data);
+  read_seas(root, folder, file.data);
   require_route(root, file.data);
   file.notices = std::move(source.notices);
   file.warnings = std::move(source.warnings);

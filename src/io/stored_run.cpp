@@ -87,6 +87,20 @@ std::vector<SeaResult> StoredRun::seas() const {
   }
 }
 
+RunResults StoredRun::results() const {
+  RunResults results;
+  results.data = data_;
+  results.data.text = text_;
+  results.fluid_mesh = fluid_mesh();
+  results.mode_mesh = mode_mesh();
+  if (data_.route == SolverRoute::kModal) results.modes = modes();
+  results.frequencies = frequencies();
+  results.seas = seas();
+  results.stages = stages_;
+  results.warnings = warnings_;
+  return results;
+}
+
 bool StoredRun::has_transfers() const { return std::filesystem::exists(record(kObservation)); }
 
 SeaObservation StoredRun::observation() const {

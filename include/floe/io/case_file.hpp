@@ -24,6 +24,11 @@ struct CaseFile {
 /// that it names is not there; BudgetError when it asks for more than 100 000 frequencies.
 CaseFile read_case(const std::filesystem::path& path);
 
+/// The same for a case that is at hand as text; `name` stands in messages for the file's, `folder`
+/// is where relative paths begin.
+CaseFile read_case_text(const std::string& text, const std::string& name,
+                        const std::filesystem::path& folder);
+
 /// The sea states and wave climates of a file of its own.
 struct SeaFile {
   std::vector<wave::SeaState> seas;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <floe/analysis.hpp>
+#include <floe/run_results.hpp>
 
 #include <filesystem>
 #include <optional>
@@ -35,6 +35,7 @@ class StoredRun {
   bool has_frequency(std::size_t place) const;
   FrequencyResult frequency(std::size_t place) const;
   std::vector<SeaResult> seas() const;
+  RunResults results() const;  ///< all of these, without transfer functions and notices
 
   /// Whether transfer functions for seas are there.
   bool has_transfers() const;
