@@ -7,7 +7,7 @@ import sys
 
 import house
 
-CODE = ["include", "src", "fmm", "tests", "benchmarks"]
+CODE = ["include", "src", "fmm", "tests", "benchmarks", "python", "examples"]
 CLANG_FORMAT = shutil.which("clang-format-14") or "clang-format-14"
 
 

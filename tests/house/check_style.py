@@ -7,8 +7,8 @@ import re
 import house
 
 LONGEST_FILE = 400
-CODE = ["include", "src", "fmm", "tests", "benchmarks"]
-PROGRAM = ("src/main.cpp", "src/program/", "tests/", "benchmarks/", "fmm/tests/")
+CODE = ["include", "src", "fmm", "tests", "benchmarks", "python", "examples"]
+PROGRAM = ("src/main.cpp", "src/program/", "tests/", "benchmarks/", "fmm/tests/", "examples/")
 PRINT = re.compile(r"\bstd::(?:cout|cerr|clog|printf|puts)\b|(?<![\w:.>])(?:printf|puts|putchar)\s*\("
                    r"|\bfprintf\s*\(\s*std(?:out|err)\b|\bfmt::print\s*\(")
 USING_NAMESPACE = re.compile(r"\busing\s+namespace\b")
