@@ -32,8 +32,8 @@ inline constexpr double kIdentityLimit = 1e-3;
 inline constexpr double kPassivityLimit = 1e-4;
 
 /// Residual of the fluid's equation, error of the Green function's table, symmetry of the fluid
-/// matrix, radiated energy, damping without a negative eigenvalue, nodes a wavelength. Empty
-/// without a finished frequency.
+/// matrix, radiated energy, damping without a negative eigenvalue, nodes a wavelength. The direct
+/// route has no damping, and one heading alone no reciprocity. Empty without a finished frequency.
 std::vector<SelfCheck> self_checks(const Case& data, const mesh::Q8Mesh& mesh,
                                    const std::vector<FrequencyResult>& results);
 

@@ -80,6 +80,8 @@ class TheDirectRoute(InFolder):
     def test_gives_the_same_without_modes(self):
         result = floe.run(case(solver={"route": "direct"}, modes={"count": 60}), self.folder / "out")
         self.assertEqual(result.added_mass.shape, (3, 0, 0))
+        names = {check.name for check in result.checks}
+        self.assertEqual(names, {"residual", "Green function", "reciprocity", "energy", "nodes a wavelength"})
         # Modes that are left out: 60 of them give this deflection to 1e-3 (docs/verification.md)
         modal = floe.run(case(modes={"count": 60}))
         np.testing.assert_allclose(result.point_deflection, modal.point_deflection, atol=2e-3)
