@@ -47,7 +47,8 @@ class ADictionary(InFolder):
         result = floe.run(case(waves={"omega": np.array([0.6, 0.5]), "heading_deg": np.float64(30).reshape(1)}))
         self.assertEqual(list(result.points), ["stern", "bow"])
         np.testing.assert_array_equal(result.omega, [0.5, 0.6])
-        np.testing.assert_array_equal(result.point_deflection[0, 0], small_result().point_deflection[1, 1])
+        # Fewer headings at a time, so sums are rounded in another order
+        np.testing.assert_allclose(result.point_deflection[0, 0], small_result().point_deflection[1, 1], rtol=1e-12)
 
     def test_reads_a_mesh_relative_to_the_current_folder(self):
         floe.rectangle(300.0, 60.0, 10, 2).write(self.folder / "plate.msh")
