@@ -4,7 +4,7 @@ set(CPACK_PACKAGE_CONTACT "floe developers <floe@example.org>" CACHE STRING "Mai
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME floe)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "hydroelastic response of very large floating structures")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # every package has its own, the first line
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE
@@ -20,14 +20,14 @@ set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME floe)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "${CPACK_PACKAGE_DESCRIPTION_SUMMARY}
- How a very large floating structure (an airport, a field of solar panels, an
- ice floe) bends in waves. The structure is a thin elastic plate of any outline
- on water of any constant depth; plate and water are solved together, in the
- frequency domain, to first order. Fast operators take it to hundreds of
- thousands of nodes on a workstation.
- .
- This package has the program.")
+set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "hydroelastic response of very large floating structures
+How a very large floating structure (an airport, a field of solar panels, an
+ice floe) bends in waves. The structure is a thin elastic plate of any outline
+on water of any constant depth; plate and water are solved together, in the
+frequency domain, to first order. Fast operators take it to hundreds of
+thousands of nodes on a workstation.
+
+This package has the program.")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libfloe-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
@@ -35,10 +35,10 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libeigen3-dev (>= 3.4), libfftw3-d
 libopenblas-dev | liblapack-dev, libsuitesparse-dev, libnetcdf-dev, zlib1g-dev, libfmt-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION
   "hydroelastic response of very large floating structures, library
- How a very large floating structure bends in waves: Mindlin plate, boundary
- elements of higher order for the water, fast operators.
- .
- This package has the static C++ library, its headers and CMake package.")
+How a very large floating structure bends in waves: Mindlin plate, boundary
+elements of higher order for the water, fast operators.
+
+This package has the static C++ library, its headers and CMake package.")
 
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-floe)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
@@ -51,10 +51,10 @@ endif()
 set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS python3-xarray)
 set(CPACK_DEBIAN_PYTHON_DESCRIPTION
   "hydroelastic response of very large floating structures, Python module
- How a very large floating structure bends in waves: cases as dictionaries or
- files, results as numpy arrays or an xarray data set.
- .
- This package has the Python module.")
+How a very large floating structure bends in waves: cases as dictionaries or
+files, results as numpy arrays or an xarray data set.
+
+This package has the Python module.")
 
 # What every package of Debian has: copyright and changelog
 set(packaging ${CMAKE_CURRENT_BINARY_DIR}/packaging)

@@ -1,21 +1,6 @@
 #include <floe/run_results.hpp>
 
 namespace floe {
-namespace {
-
-class MemoryLog final : public Log {
- public:
-  explicit MemoryLog(RunResults& results) : results_(results) {}
-  void info(const std::string&) override {}
-  void notice(const std::string& text) override { results_.notices.push_back(text); }
-  void warning(const std::string& text) override { results_.warnings.push_back(text); }
-  void progress(double, const std::string&) override {}
-
- private:
-  RunResults& results_;  // view
-};
-
-}  // namespace
 
 void MemoryStore::begin(const Case& data, const mesh::Q8Mesh& mesh, const Estimate&) {
   results_.data = data;

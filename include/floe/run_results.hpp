@@ -42,6 +42,20 @@ class MemoryStore final : public Store {
   RunResults& results_;  // view
 };
 
+/// Keeps notices and warnings, and is silent otherwise.
+class MemoryLog final : public Log {
+ public:
+  /// Fills `results`, which must outlive the log.
+  explicit MemoryLog(RunResults& results) : results_(results) {}
+  void info(const std::string&) override {}
+  void notice(const std::string& text) override { results_.notices.push_back(text); }
+  void warning(const std::string& text) override { results_.warnings.push_back(text); }
+  void progress(double, const std::string&) override {}
+
+ private:
+  RunResults& results_;  // view
+};
+
 /// Runs the case silently; throws as the other `analyse`.
 RunResults analyse(const Case& data);
 

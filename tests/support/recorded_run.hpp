@@ -6,6 +6,7 @@
 namespace floe::test {
 
 using RecordedRun = RunResults;
+using RecordingLog = MemoryLog;
 
 inline RecordedRun run(const Case& data) { return analyse(data); }
 
