@@ -119,23 +119,21 @@ std::vector<BodyDof> list_dofs(const std::vector<BodyNodes>& bodies, const DryMo
 
 // Surge and sway have the body's mass, yaw its moment about the vertical through the centre:
 // ∫ρt (x² + y²), that is roll and pitch without twice the rotary inertia ∫ρt³/12
-void add_inertia_in_plane(const PlateProperties& properties, BodyDofs& dofs) {
-  const double rotary = properties.thickness * properties.thickness / 12.0;
+void add_inertia_in_plane(const VecXd& rotary_inertia, BodyDofs& dofs) {
   for (Index i = 0; i < dofs.count(); ++i) {
     const BodyDof& dof = dofs.dof[static_cast<std::size_t>(i)];
     if (dof.rigid == 0) continue;
     const double mass = dofs.mass[dof.body];
+    const double rotary = dofs.mass.size() == 1 ? rotary_inertia.sum() : rotary_inertia[dof.body];
     if (dof.rigid < kHeave) dofs.inertia(i, i) = mass;
     if (dof.rigid == kYaw)
-      dofs.inertia(i, i) =
-          dofs.inertia(i - 1, i - 1) + dofs.inertia(i - 2, i - 2) - 2.0 * rotary * mass;
+      dofs.inertia(i, i) = dofs.inertia(i - 1, i - 1) + dofs.inertia(i - 2, i - 2) - 2.0 * rotary;
   }
 }
 
 }  // namespace
 
-BodyDofs body_dofs(const mesh::Q8Mesh& mesh, const DryModes& modes,
-                   const PlateProperties& properties, DofSet set) {
+BodyDofs body_dofs(const mesh::Q8Mesh& mesh, const DryModes& modes, DofSet set) {
   // Find the bodies and their rigid motions
   const std::vector<BodyNodes> bodies = bodies_of(mesh, modes);
   const auto count = static_cast<Index>(bodies.size());
@@ -170,7 +168,7 @@ BodyDofs body_dofs(const mesh::Q8Mesh& mesh, const DryModes& modes,
     }
   }
   dofs.inertia = dofs.motion.transpose() * modes.modal_mass * dofs.motion;
-  add_inertia_in_plane(properties, dofs);
+  add_inertia_in_plane(modes.rotary_inertia, dofs);
   return dofs;
 }
 

@@ -32,15 +32,6 @@ std::vector<ElasticMode> choose_elastic(const std::vector<PieceModes>& pieces, I
   return all;
 }
 
-// The sign that makes the largest |w| positive; of nearly equal ones that of the first node counts
-double shape_sign(const Eigen::Ref<const VecXd>& shape) {
-  double largest = 0.0;
-  for (Index i = 0; i < shape.size(); i += 3) largest = std::max(largest, std::abs(shape[i]));
-  for (Index i = 0; i < shape.size(); i += 3)
-    if (std::abs(shape[i]) >= (1.0 - 1e-6) * largest) return shape[i] < 0.0 ? -1.0 : 1.0;
-  return 1.0;
-}
-
 void place(const Piece& piece, const Eigen::Ref<const VecXd>& local, Eigen::Ref<VecXd> global) {
   for (std::size_t n = 0; n < piece.node.size(); ++n)
     global.segment<3>(3 * piece.node[n]) = local.segment<3>(3 * static_cast<Index>(n));
@@ -57,38 +48,47 @@ void add(const DryModeReport& part, DryModeReport& whole) {
 
 }  // namespace
 
-DryModes dry_modes(const mesh::Q8Mesh& mesh, const PlateProperties& properties,
-                   const DryModeOptions& options) {
+double shape_sign(const Eigen::Ref<const VecXd>& shape) {
+  double largest = 0.0;
+  for (Index i = 0; i < shape.size(); i += 3) largest = std::max(largest, std::abs(shape[i]));
+  for (Index i = 0; i < shape.size(); i += 3)
+    if (std::abs(shape[i]) >= (1.0 - 1e-6) * largest) return shape[i] < 0.0 ? -1.0 : 1.0;
+  return 1.0;
+}
+
+void check_mode_count(const mesh::Q8Mesh& mesh, int count) {
   const int rigid_count = 3 * mesh.piece_count();
   const Index unknowns = kUnknownsPerNode * mesh.node_count();
-  FLOE_VALIDATE(options.count >= rigid_count && 2 * options.count <= unknowns,
-                "invalid mode count = " << options.count << " (must be from " << rigid_count
+  FLOE_VALIDATE(count >= rigid_count && 2 * count <= unknowns,
+                "invalid mode count = " << count << " (must be from " << rigid_count
                                         << ", three a plate, to half the " << unknowns
                                         << " unknowns)");
-  numeric::use_one_blas_thread();
-  const Index elastic_count = options.count - rigid_count;
-  const std::vector<Piece> pieces = split_pieces(mesh);
-  DryModeOptions elastic = options;
-  elastic.count = static_cast<int>(elastic_count);
-  std::vector<PieceModes> modes;
-  for (const Piece& piece : pieces) modes.push_back(piece_modes(piece, properties, elastic));
-  const std::vector<ElasticMode> chosen = choose_elastic(modes, elastic_count);
+}
 
-  // Put them together
+DryModes join_modes(const mesh::Q8Mesh& mesh, const std::vector<Piece>& pieces,
+                    const std::vector<PieceModes>& modes, Index elastic_count) {
+  const std::vector<ElasticMode> chosen = choose_elastic(modes, elastic_count);
+  const Index unknowns = kUnknownsPerNode * mesh.node_count();
   DryModes result;
-  result.rigid_count = rigid_count;
-  result.omega = VecXd::Zero(options.count);
-  result.shape = MatXd::Zero(unknowns, options.count);
-  result.modal_mass = MatXd::Identity(options.count, options.count);
+  result.rigid_count = 3 * mesh.piece_count();
+  const Index count = result.rigid_count + elastic_count;
+  result.omega = VecXd::Zero(count);
+  result.shape = MatXd::Zero(unknowns, count);
+  result.modal_mass = MatXd::Identity(count, count);
+  result.rotary_inertia = VecXd::Zero(std::ssize(pieces));
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     for (int c = 0; c < 3; ++c)
       place(pieces[p], modes[p].rigid.col(c), result.shape.col(3 * p + c));
     result.modal_mass.block<3, 3>(3 * p, 3 * p) = modes[p].modal_mass;
+    result.rotary_inertia[static_cast<Index>(p)] = modes[p].rotary_inertia;
     add(modes[p].report, result.report);
+    result.orthonormality_error =
+        std::max(result.orthonormality_error, modes[p].orthonormality_error);
+    result.rigid_force_error = std::max(result.rigid_force_error, modes[p].rigid_force_error);
   }
   for (Index i = 0; i < elastic_count; ++i) {
     const ElasticMode& mode = chosen[i];
-    const Index column = rigid_count + i;
+    const Index column = result.rigid_count + i;
     result.omega[column] = std::sqrt(mode.eigenvalue);
     place(pieces[mode.piece], modes[mode.piece].elastic.col(mode.column), result.shape.col(column));
     result.shape.col(column) *= shape_sign(result.shape.col(column));
@@ -96,8 +96,23 @@ DryModes dry_modes(const mesh::Q8Mesh& mesh, const PlateProperties& properties,
   FLOE_VALIDATE_AS(ConvergenceError, result.omega.allFinite() && result.shape.allFinite(),
                    "invalid dry modes: not finite (are thickness, stiffness and density of the "
                    "plate in SI units?)");
+  return result;
+}
+
+DryModes dry_modes(const mesh::Q8Mesh& mesh, const PlateRegions& regions,
+                   const DryModeOptions& options) {
+  check_mode_count(mesh, options.count);
+  numeric::use_one_blas_thread();
+  const Index elastic_count = options.count - 3 * mesh.piece_count();
+  const std::vector<Piece> pieces = split_pieces(mesh);
+  DryModeOptions elastic = options;
+  elastic.count = static_cast<int>(elastic_count);
+  std::vector<PieceModes> modes;
+  for (const Piece& piece : pieces)
+    modes.push_back(piece_modes(piece, regions.at(piece.element), elastic));
+  DryModes result = join_modes(mesh, pieces, modes, elastic_count);
   result.estimated_frequency_error =
-      estimate_frequency_errors(mesh, properties, result.omega, result.shape).maxCoeff();
+      estimate_frequency_errors(mesh, regions, result.omega, result.shape).maxCoeff();
   return result;
 }
 

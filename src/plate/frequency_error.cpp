@@ -1,6 +1,7 @@
 #include "plate/frequency_error.hpp"
 
 #include "plate/nodal_average.hpp"
+#include "plate/piece_modes.hpp"
 #include "plate/recovery.hpp"
 
 #include <Eigen/LU>
@@ -17,22 +18,25 @@ namespace {
 constexpr double kDispersion = 1.0 / 480.0;
 constexpr Index kColumns = 16;
 
-// The elements with no side on the edge of the plate; all, where there are no such elements
-std::vector<Index> inner_elements(const mesh::Q8Mesh& mesh) {
+// The elements of a region with no side on the edge of the plate; all, where there are none such
+std::vector<Index> inner_elements(const mesh::Q8Mesh& mesh, const PlateRegions& regions,
+                                  int region) {
   std::vector<int> elements_at(mesh.node_count(), 0);
   for (const Index node : mesh.elements().reshaped()) ++elements_at[node];
-  std::vector<Index> inner;
+  std::vector<Index> all, inner;
   for (Index e = 0; e < mesh.element_count(); ++e) {
+    if (regions.region(e) != region) continue;
+    all.push_back(e);
     bool is_inner = true;
     for (int side = 4; side < 8; ++side)
       is_inner = is_inner && elements_at[mesh.elements()(side, e)] == 2;
     if (is_inner) inner.push_back(e);
   }
-  return inner.empty() ? all_elements(mesh) : inner;
+  return inner.empty() ? all : inner;
 }
 
-// Mean over the area of the longest side to the fourth [m⁴]
-double mean_fourth_power_of_side(const mesh::Q8Mesh& mesh) {
+// Mean over the area of m/D times the longest side to the fourth [s²]
+double mean_dispersion(const mesh::Q8Mesh& mesh, const PlateRegions& regions) {
   double area = 0.0, sum = 0.0;
   for (Index e = 0; e < mesh.element_count(); ++e) {
     const ElementNodes nodes = mesh.element_nodes(e);
@@ -41,7 +45,8 @@ double mean_fourth_power_of_side(const mesh::Q8Mesh& mesh) {
       longest = std::max(longest, (nodes.col(a) - nodes.col((a + 1) % 4)).norm());
     const double part = evaluate_element(nodes, 0.0, 0.0).jacobian;
     area += part;
-    sum += part * std::pow(longest, 4);
+    sum += part * std::pow(longest, 4) * regions.of(e).surface_mass() /
+           regions.of(e).bending_rigidity();
   }
   return sum / area;
 }
@@ -73,11 +78,15 @@ Jump element_jump(const ElementNodes& nodes, const PlateProperties& properties,
   return jump;
 }
 
-// Twice the strain energy of the jumps over the whole plate, as that of the inner elements tells
-VecXd jump_energies(const mesh::Q8Mesh& mesh, const PlateProperties& properties,
+// Twice the strain energy of the jumps in a region (between regions moments may jump), as that of
+// its inner elements tells
+VecXd jump_energies(const mesh::Q8Mesh& mesh, const PlateRegions& regions, int region,
                     const Eigen::Ref<const MatXd>& shape) {
-  const std::vector<Index> elements = inner_elements(mesh);
+  const std::vector<Index> elements = inner_elements(mesh, regions, region);
+  if (elements.empty()) return VecXd::Zero(shape.cols());
+  const PlateProperties& properties = regions[region];
   const NodalAverage average(mesh, elements);
+  const double region_area = region_areas(mesh.nodes(), mesh.elements(), regions)[region];
   VecXd energy(shape.cols());
   for (Index first = 0; first < shape.cols(); first += kColumns) {
     const Index columns = std::min(kColumns, shape.cols() - first);
@@ -97,25 +106,25 @@ VecXd jump_energies(const mesh::Q8Mesh& mesh, const PlateProperties& properties,
       sum += j.energy;
       area += j.area;
     }
-    energy.segment(first, columns) = (mesh.area() / area) * sum.transpose();
+    energy.segment(first, columns) = (region_area / area) * sum.transpose();
   }
   return energy;
 }
 
 }  // namespace
 
-VecXd estimate_frequency_errors(const mesh::Q8Mesh& mesh, const PlateProperties& properties,
+VecXd estimate_frequency_errors(const mesh::Q8Mesh& mesh, const PlateRegions& regions,
                                 const Eigen::Ref<const VecXd>& omega,
                                 const Eigen::Ref<const MatXd>& shape) {
-  const VecXd energy = jump_energies(mesh, properties, shape);
-  const double side = mean_fourth_power_of_side(mesh);
+  VecXd energy = VecXd::Zero(omega.size());
+  for (int region = 0; region < regions.count(); ++region)
+    energy += jump_energies(mesh, regions, region, shape);
+  const double dispersion = mean_dispersion(mesh, regions);
   VecXd error = VecXd::Zero(omega.size());
   for (Index i = 0; i < omega.size(); ++i) {
     if (omega[i] == 0.0) continue;
     const double eigenvalue = omega[i] * omega[i];
-    const double fourth_power_of_wavenumber =
-        properties.surface_mass() * eigenvalue / properties.bending_rigidity();
-    error[i] = kDispersion * fourth_power_of_wavenumber * side + 0.5 * energy[i] / eigenvalue;
+    error[i] = kDispersion * dispersion * eigenvalue + 0.5 * energy[i] / eigenvalue;
   }
   return error;
 }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace floe::plate {
 namespace {
@@ -35,6 +36,12 @@ void validate(const PlateProperties& properties) {
           << properties.bending_rigidity() << " N m and mass = " << properties.surface_mass()
           << " kg/m^2 (must be positive and finite: are thickness, stiffness and density "
              "in SI units?)");
+}
+
+// Mass per area of w, θx and θy
+std::array<double, 3> inertia_of(const PlateProperties& properties) {
+  const double rotary = properties.surface_mass() * std::pow(properties.thickness, 2) / 12.0;
+  return {properties.surface_mass(), rotary, rotary};
 }
 
 // A matrix whose column 3j + c has, for every neighbour i of node j, the rows 3i … 3i + 2
@@ -84,29 +91,32 @@ void add_element(const IndexLists& neighbours, const Eigen::Matrix<Index, 8, 1>&
 }  // namespace
 
 PlateMatrices assemble(const Points2& nodes, const mesh::Connectivity& elements,
-                       const PlateProperties& properties) {
-  validate(properties);
+                       const PlateRegions& regions) {
+  std::vector<std::array<double, 3>> inertia;
+  for (int region = 0; region < regions.count(); ++region) {
+    validate(regions[region]);
+    inertia.push_back(inertia_of(regions[region]));
+  }
   const IndexLists neighbours = neighbours_of_nodes(nodes.cols(), elements);
   const IndexLists colors = color_elements(nodes.cols(), elements);
   PlateMatrices plate{make_pattern(neighbours, true), make_pattern(neighbours, false)};
 
-  const double rotary = properties.surface_mass() * std::pow(properties.thickness, 2) / 12.0;
-  const std::array<double, 3> inertia{properties.surface_mass(), rotary, rotary};
   for (std::size_t color = 0; color + 1 < colors.begin.size(); ++color) {
 #pragma omp parallel for schedule(static)
     for (Index k = colors.begin[color]; k < colors.begin[color + 1]; ++k) {
-      const Eigen::Matrix<Index, 8, 1> node = elements.col(colors.value[k]);
+      const Index element = colors.value[k];
+      const Eigen::Matrix<Index, 8, 1> node = elements.col(element);
       ElementNodes points;
       for (int a = 0; a < 8; ++a) points.col(a) = nodes.col(node[a]);
-      add_element(neighbours, node, element_stiffness(points, properties),
-                  element_shape_products(points), inertia, plate);
+      add_element(neighbours, node, element_stiffness(points, regions.of(element)),
+                  element_shape_products(points), inertia[regions.region(element)], plate);
     }
   }
   return plate;
 }
 
-PlateMatrices assemble_plate(const mesh::Q8Mesh& mesh, const PlateProperties& properties) {
-  return assemble(mesh.nodes(), mesh.elements(), properties);
+PlateMatrices assemble_plate(const mesh::Q8Mesh& mesh, const PlateRegions& regions) {
+  return assemble(mesh.nodes(), mesh.elements(), regions);
 }
 
 }  // namespace floe::plate

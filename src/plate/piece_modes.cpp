@@ -12,6 +12,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace floe::plate {
@@ -34,12 +35,26 @@ MatXd orthonormal_basis(const MatXd& columns, const MatXd& modal_mass) {
   return columns * inverse;
 }
 
+// Twice the strain energy of the constant curvatures a, b, c of w = (a x² + 2b xy + c y²)/2,
+// without shear, in closed form: a distorted mesh would make it too large
+Eigen::Matrix3d constant_curvature_energy(const Piece& piece, const PlateRegions& regions) {
+  Eigen::Matrix3d energy = Eigen::Matrix3d::Zero();
+  const std::vector<double> area = region_areas(piece.nodes, piece.elements, regions);
+  for (int region = 0; region < regions.count(); ++region) {
+    const double nu = regions[region].poisson_ratio;
+    Eigen::Matrix3d strain;
+    strain << 1.0, 0.0, nu, 0.0, 2.0 * (1.0 - nu), 0.0, nu, 0.0, 1.0;
+    energy += regions[region].bending_rigidity() * area[region] * strain;
+  }
+  return energy;
+}
+
 // A Rayleigh quotient near the first elastic eigenvalue: the smallest over the deflections of
-// constant curvature w = (a x² + 2b xy + c y²)/2 with rotations that leave no shear, the strain
-// energy in closed form (a distorted mesh would make it too large), the kinetic one from M with
-// the rigid part taken out
+// constant curvature with rotations that leave no shear, the kinetic energy from M with the rigid
+// part taken out
 double estimate_first_eigenvalue(const Piece& piece, const AreaMoments& area,
-                                 const PlateProperties& properties, const NodeMass& mass,
+                                 const PlateMatrices& plate,
+                                 const std::optional<Eigen::Matrix3d>& energy, const NodeMass& mass,
                                  const MatXd& rigid_basis) {
   MatXd bent(mass.size(), 3);
   for (Index n = 0; n < piece.nodes.cols(); ++n) {
@@ -51,11 +66,9 @@ double estimate_first_eigenvalue(const Piece& piece, const AreaMoments& area,
   }
   subtract_combination(rigid_basis, inner_products(rigid_basis, mass * bent), bent);
   const MatXd kinetic = inner_products(bent, mass * bent);
-  const double nu = properties.poisson_ratio;
-  Eigen::Matrix3d strain;
-  strain << 1.0, 0.0, nu, 0.0, 2.0 * (1.0 - nu), 0.0, nu, 0.0, 1.0;
-  strain *= properties.bending_rigidity() * area.area;
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatXd> ritz(MatXd(strain), kinetic,
+  const MatXd strain =
+      energy ? MatXd(*energy) : inner_products(bent, multiply_symmetric(plate.stiffness, bent));
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatXd> ritz(strain, kinetic,
                                                              Eigen::EigenvaluesOnly);
   return ritz.eigenvalues()[0];
 }
@@ -70,17 +83,52 @@ double expected_residual(const ElasticProblem& problem, double eigenvalue, doubl
          1e2 * std::numeric_limits<double>::epsilon() * largest / (eigenvalue + problem.shift);
 }
 
+// Largest |CᵀMC - what it should be| over rigid and elastic modes
+double orthonormality_error(const NodeMass& mass, const PieceModes& modes) {
+  MatXd all(modes.rigid.rows(), modes.rigid.cols() + modes.elastic.cols());
+  all << modes.rigid, modes.elastic;
+  MatXd expected = MatXd::Identity(all.cols(), all.cols());
+  expected.topLeftCorner<3, 3>() = modes.modal_mass;
+  return (inner_products(all, mass * all) - expected).cwiseAbs().maxCoeff();
+}
+
+// Largest |Kc| over the largest |K||c|: what a rigid motion meets, zero but for rounding
+double rigid_force_error(const SparseMatrix& stiffness, const MatXd& rigid) {
+  Eigen::Array3d force = Eigen::Array3d::Zero(), scale = Eigen::Array3d::Zero();
+  for (Index column = 0; column < stiffness.outerSize(); ++column) {
+    Eigen::Array3d sum = Eigen::Array3d::Zero(), size = Eigen::Array3d::Zero();
+    for (SparseMatrix::InnerIterator entry(stiffness, column); entry; ++entry) {
+      const Eigen::Array3d term = entry.value() * rigid.row(entry.row()).transpose().array();
+      sum += term;
+      size += term.abs();
+    }
+    force = force.max(sum.abs());
+    scale = scale.max(size);
+  }
+  return (force / scale).maxCoeff();
+}
+
 bool is_small(Index unknowns, Index elastic_count) {
   return unknowns <= 600 || (unknowns <= 3000 && 10 * elastic_count > unknowns);
 }
 
 }  // namespace
 
-PieceModes piece_modes(const Piece& piece, const PlateProperties& properties,
+PieceModes piece_modes(const Piece& piece, const PlateRegions& regions,
+                       const DryModeOptions& options) {
+  Stopwatch watch;
+  const PlateMatrices plate = assemble(piece.nodes, piece.elements, regions);
+  const double seconds = watch.lap();
+  PieceModes modes = piece_modes(piece, plate, constant_curvature_energy(piece, regions), options);
+  modes.report.assembly_seconds += seconds;
+  return modes;
+}
+
+PieceModes piece_modes(const Piece& piece, const PlateMatrices& plate,
+                       const std::optional<Eigen::Matrix3d>& curvature_energy,
                        const DryModeOptions& options) {
   PieceModes modes;
   Stopwatch watch;
-  const PlateMatrices plate = assemble(piece.nodes, piece.elements, properties);
   const NodeMass mass(plate.mass);
   modes.report.assembly_seconds = watch.lap();
 
@@ -88,13 +136,19 @@ PieceModes piece_modes(const Piece& piece, const PlateProperties& properties,
   const AreaMoments area = area_moments(piece);
   modes.rigid = rigid_modes(piece.nodes, area.centroid, mass);
   modes.modal_mass = inner_products(modes.rigid, mass * modes.rigid);
+  std::vector<Index> nodes(piece.node.size());
+  std::iota(nodes.begin(), nodes.end(), Index{0});
+  modes.rotary_inertia = rotary_inertia(plate.mass, nodes);
   const MatXd rigid_basis = orthonormal_basis(modes.rigid, modes.modal_mass);
   const Index elastic_count = std::min<Index>(options.count, mass.size() - rigid_basis.cols());
   if (elastic_count == 0) {
     modes.elastic.resize(mass.size(), 0);
+    modes.rigid_force_error = rigid_force_error(plate.stiffness, modes.rigid);
     return modes;
   }
-  const double shift = estimate_first_eigenvalue(piece, area, properties, mass, rigid_basis);
+  const double shift =
+      estimate_first_eigenvalue(piece, area, plate, curvature_energy, mass, rigid_basis);
+  modes.bent_eigenvalue = shift;
 
   // Find the elastic ones
   Eigenpairs pairs;
@@ -124,6 +178,8 @@ PieceModes piece_modes(const Piece& piece, const PlateProperties& properties,
   }
   modes.eigenvalue = std::move(pairs.value);
   modes.elastic = std::move(pairs.vector);
+  modes.orthonormality_error = orthonormality_error(mass, modes);
+  modes.rigid_force_error = rigid_force_error(plate.stiffness, modes.rigid);
   return modes;
 }
 

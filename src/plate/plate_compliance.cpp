@@ -24,17 +24,6 @@ SparseMatrix on_all_unknowns(const SparseMatrix& deflections) {
   return all;
 }
 
-// Real and imaginary parts as columns side by side
-MatXd split(const MatXcd& columns) {
-  return (MatXd(columns.rows(), 2 * columns.cols()) << columns.real(), columns.imag()).finished();
-}
-
-MatXcd join(const MatXd& parts) {
-  const Index half = parts.cols() / 2;
-  return parts.leftCols(half).cast<Complex>() +
-         Complex(0.0, 1.0) * parts.rightCols(half).cast<Complex>();
-}
-
 }  // namespace
 
 PlateCompliance::PlateCompliance(const PlateMatrices& plate, double loss_factor, double omega,
@@ -55,9 +44,7 @@ MatXcd PlateCompliance::displacement(const Eigen::Ref<const MatXcd>& load) const
   MatXcd force = MatXcd::Zero(factor_->size(), load.cols());
   for (Index node = 0; node < load.rows(); ++node)
     force.row(kUnknownsPerNode * node) = load.row(node);
-  MatXd parts(force.rows(), 2 * force.cols());
-  factor_->solve(split(force), parts);
-  MatXcd displacement = join(parts);
+  MatXcd displacement = factor_->solve(force);
   if (loss_factor_ == 0.0) return displacement;
 
   // The loss by its Neumann series: d = F⁻¹ (f + iη K d), a contraction by η
@@ -65,8 +52,7 @@ MatXcd PlateCompliance::displacement(const Eigen::Ref<const MatXcd>& load) const
   MatXcd term = displacement;
   for (int i = 0; i < terms; ++i) {
     const MatXcd lost = Complex(0.0, loss_factor_) * (stiffness_.cast<Complex>() * term);
-    factor_->solve(split(lost), parts);
-    term = join(parts);
+    term = factor_->solve(lost);
     displacement += term;
   }
   return displacement;

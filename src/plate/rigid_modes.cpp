@@ -27,6 +27,7 @@ std::vector<Piece> split_pieces(const mesh::Q8Mesh& mesh) {
   for (Index e = 0; e < mesh.element_count(); ++e) {
     const int p = mesh.element_piece()[e];
     const Index column = element_count[p]++;
+    pieces[p].element.push_back(e);
     for (int a = 0; a < 8; ++a) pieces[p].elements(a, column) = local[mesh.elements()(a, e)];
   }
   return pieces;
@@ -53,6 +54,29 @@ AreaMoments area_moments(const Piece& piece) {
   }
   moments.centroid = origin + first / moments.area;
   return moments;
+}
+
+std::vector<double> region_areas(const Points2& nodes, const mesh::Connectivity& elements,
+                                 const PlateRegions& regions) {
+  std::vector<double> area(regions.count(), 0.0);
+  const numeric::QuadratureRule& rule = numeric::gauss_legendre(3);
+  for (Index e = 0; e < elements.cols(); ++e) {
+    const ElementNodes corners = nodes(Eigen::all, elements.col(e));
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        area[regions.region(e)] += rule.weight[i] * rule.weight[j] *
+                                   evaluate_element(corners, rule.node[i], rule.node[j]).jacobian;
+  }
+  return area;
+}
+
+double rotary_inertia(const SparseMatrix& mass, const std::vector<Index>& nodes) {
+  double twice = 0.0;
+  for (const Index node : nodes)
+    for (int unknown = 1; unknown < kUnknownsPerNode; ++unknown)
+      for (SparseMatrix::InnerIterator it(mass, kUnknownsPerNode * node + unknown); it; ++it)
+        if (it.row() % kUnknownsPerNode == unknown) twice += it.value();
+  return 0.5 * twice;
 }
 
 MatXd rigid_modes(const Points2& nodes, const Point2& centre, const NodeMass& mass) {

@@ -8,12 +8,12 @@
 #include <vector>
 
 namespace floe::plate {
-MatXd section_forces(const mesh::Q8Mesh& mesh, const PlateProperties& properties,
+MatXd section_forces(const mesh::Q8Mesh& mesh, const PlateRegions& regions,
                      const Eigen::Ref<const MatXd>& displacement) {
   FLOE_EXPECT(displacement.rows() == kUnknownsPerNode * mesh.node_count());
   const NodalAverage average(mesh, all_elements(mesh));
   return average(displacement, kUnknownsPerNode, kSectionForces, [&](Index element) {
-    return nodal_force_matrix(mesh.element_nodes(element), properties);
+    return nodal_force_matrix(mesh.element_nodes(element), regions.of(element));
   });
 }
 
@@ -35,18 +35,20 @@ SparseMatrix slope_operator(const mesh::Q8Mesh& mesh, Slope slope) {
   return result;
 }
 
-SparseMatrix section_force_operator(const mesh::Q8Mesh& mesh, const PlateProperties& properties,
-                                    std::span<const Index> nodes) {
+SparseMatrix section_force_operator(const mesh::Q8Mesh& mesh, const PlateRegions& regions,
+                                    std::span<const Index> nodes, int region) {
   const IndexLists at_node = elements_of_nodes(mesh.node_count(), mesh.elements());
   std::vector<Eigen::Triplet<double, std::int64_t>> entries;
   for (std::size_t k = 0; k < nodes.size(); ++k) {
     FLOE_EXPECT(nodes[k] >= 0 && nodes[k] < mesh.node_count());
-    const Index first = at_node.begin[nodes[k]], last = at_node.begin[nodes[k] + 1];
-    for (Index i = first; i < last; ++i) {
-      const Eigen::Matrix<Index, 8, 1> element = mesh.elements().col(at_node.value[i]);
-      const NodalForceMatrix matrix =
-          nodal_force_matrix(mesh.element_nodes(at_node.value[i]), properties) /
-          static_cast<double>(last - first);
+    std::vector<Index> meeting;
+    for (Index i = at_node.begin[nodes[k]]; i < at_node.begin[nodes[k] + 1]; ++i)
+      if (region < 0 || regions.region(at_node.value[i]) == region)
+        meeting.push_back(at_node.value[i]);
+    for (const Index e : meeting) {
+      const Eigen::Matrix<Index, 8, 1> element = mesh.elements().col(e);
+      const NodalForceMatrix matrix = nodal_force_matrix(mesh.element_nodes(e), regions.of(e)) /
+                                      static_cast<double>(meeting.size());
       int here = 0;
       while (element[here] != nodes[k]) ++here;
       for (int a = 0; a < 8; ++a)

@@ -165,21 +165,33 @@ ShiftedFactor& ShiftedFactor::operator=(ShiftedFactor&&) noexcept = default;
 Index ShiftedFactor::size() const { return static_cast<Index>(cholmod_->factor->n); }
 Index ShiftedFactor::entry_count() const { return static_cast<Index>(cholmod_->factor->xsize); }
 
-void ShiftedFactor::solve(const Eigen::Ref<const MatXd>& rhs, Eigen::Ref<MatXd> x) const {
-  FLOE_EXPECT(rhs.rows() == size() && x.rows() == size() && x.cols() == rhs.cols());
+// A view of CHOLMOD's own solution, valid until the next one
+template <typename Columns>
+Eigen::Map<const Columns> ShiftedFactor::solution_of(const Eigen::Ref<const Columns>& rhs,
+                                                     int type) const {
+  FLOE_EXPECT(rhs.rows() == size());
   Cholmod& c = *cholmod_;
   cholmod_dense b{};
   b.nrow = rhs.rows();
   b.ncol = rhs.cols();
   b.d = rhs.outerStride();
   b.nzmax = b.d * b.ncol;
-  b.x = const_cast<double*>(rhs.data());  // read only
-  b.xtype = CHOLMOD_REAL;
+  b.x = const_cast<typename Columns::Scalar*>(rhs.data());  // read only
+  b.xtype = type;
   b.dtype = CHOLMOD_DOUBLE;
   cholmod_l_solve2(CHOLMOD_A, c.factor, &b, nullptr, &c.solution, nullptr, &c.work, &c.more_work,
                    &c.common);
   c.check(size());
-  x = Eigen::Map<const MatXd>(static_cast<const double*>(c.solution->x), x.rows(), x.cols());
+  return {static_cast<const typename Columns::Scalar*>(c.solution->x), rhs.rows(), rhs.cols()};
+}
+
+void ShiftedFactor::solve(const Eigen::Ref<const MatXd>& rhs, Eigen::Ref<MatXd> x) const {
+  FLOE_EXPECT(x.rows() == size() && x.cols() == rhs.cols());
+  x = solution_of<MatXd>(rhs, CHOLMOD_REAL);
+}
+
+MatXcd ShiftedFactor::solve(const Eigen::Ref<const MatXcd>& rhs) const {
+  return solution_of<MatXcd>(rhs, CHOLMOD_COMPLEX);
 }
 
 }  // namespace floe::plate

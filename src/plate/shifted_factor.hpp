@@ -19,11 +19,15 @@ class ShiftedFactor final {
   Index size() const;
   Index entry_count() const;  ///< entries of the factor, the zeros inside supernodes included
 
-  /// x = (K + sM)⁻¹ rhs, any number of columns. Not for several threads at a time: they would share
-  /// the work space.
+  /// x = (K + sM)⁻¹ rhs, any number of real or complex columns. Not for several threads at a time:
+  /// they would share the work space.
   void solve(const Eigen::Ref<const MatXd>& rhs, Eigen::Ref<MatXd> x) const;
+  MatXcd solve(const Eigen::Ref<const MatXcd>& rhs) const;
 
  private:
+  template <typename Columns>
+  Eigen::Map<const Columns> solution_of(const Eigen::Ref<const Columns>& rhs, int type) const;
+
   struct Cholmod;
   std::unique_ptr<Cholmod> cholmod_;
 };

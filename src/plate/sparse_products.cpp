@@ -1,6 +1,7 @@
 #include "plate/sparse_products.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace floe::plate {
@@ -17,27 +18,58 @@ Index block_height(Index block, Index rows) {
   return std::min(kBlockRows, rows - block * kBlockRows);
 }
 
-}  // namespace
-
-MatXd multiply_symmetric(const SparseMatrix& matrix, const Eigen::Ref<const MatXd>& x) {
-  // Row j is column j, so that every entry of the product is one sum of one thread
-  MatXd y(x.rows(), x.cols());
+// y = A x of a symmetric A: row j is column j, so that every entry is one sum of one thread
+void multiply_column(const SparseMatrix& matrix, const double* x, double* y) {
   const double* const value = matrix.valuePtr();
   const auto* const row = matrix.innerIndexPtr();
   const auto* const begin = matrix.outerIndexPtr();
-  for (Index c = 0; c < x.cols(); ++c) {
-    const double* const column = x.col(c).data();
 #pragma omp parallel for schedule(static) if (matrix.cols() >= kParallelRows)
-    for (Index j = 0; j < matrix.cols(); ++j) {
-      double sum = 0.0;
-      for (Index e = begin[j]; e < begin[j + 1]; ++e) sum += value[e] * column[row[e]];
-      y(j, c) = sum;
+  for (Index j = 0; j < matrix.cols(); ++j) {
+    double sum = 0.0;
+    for (Index e = begin[j]; e < begin[j + 1]; ++e) sum += value[e] * x[row[e]];
+    y[j] = sum;
+  }
+}
+
+// Whether θx and θy of each node couple as w does, times one factor
+bool is_alike(const SparseMatrix& mass) {
+  constexpr double kRounding = 1e-12;
+  const auto* const begin = mass.outerIndexPtr();
+  const double rotary = mass.valuePtr()[begin[1]] / mass.valuePtr()[begin[0]];
+  for (Index column = 0; column < mass.cols(); ++column) {
+    const Index first = begin[column - column % 3], count = begin[column + 1] - begin[column];
+    if (count != begin[column - column % 3 + 1] - first) return false;
+    // NOTE: entries that nearly cancel are only as exact as the largest of their column
+    double largest = 0.0;
+    for (Index k = 0; k < count; ++k)
+      largest = std::max(largest, std::abs(mass.valuePtr()[first + k]));
+    const double factor = column % 3 == 0 ? 1.0 : rotary;
+    for (Index k = 0; k < count; ++k) {
+      const Index here = begin[column] + k;
+      if (mass.innerIndexPtr()[here] != mass.innerIndexPtr()[first + k] + column % 3 ||
+          mass.innerIndexPtr()[first + k] % 3 != 0)
+        return false;
+      if (std::abs(mass.valuePtr()[here] - factor * mass.valuePtr()[first + k]) >
+          kRounding * factor * largest)
+        return false;
     }
   }
+  return true;
+}
+
+}  // namespace
+
+MatXd multiply_symmetric(const SparseMatrix& matrix, const Eigen::Ref<const MatXd>& x) {
+  MatXd y(x.rows(), x.cols());
+  for (Index c = 0; c < x.cols(); ++c) multiply_column(matrix, x.col(c).data(), y.col(c).data());
   return y;
 }
 
 NodeMass::NodeMass(const SparseMatrix& mass) : begin_(mass.cols() / 3 + 1, 0) {
+  if (!is_alike(mass)) {
+    general_ = mass;
+    return;
+  }
   const Index nodes = mass.cols() / 3;
   const auto* const begin = mass.outerIndexPtr();
   for (Index n = 0; n < nodes; ++n)
@@ -50,6 +82,10 @@ NodeMass::NodeMass(const SparseMatrix& mass) : begin_(mass.cols() / 3 + 1, 0) {
 }
 
 void NodeMass::apply(const double* x, double* y) const {
+  if (general_.size() > 0) {
+    multiply_column(general_, x, y);
+    return;
+  }
   const Index nodes = static_cast<Index>(begin_.size()) - 1;
 #pragma omp parallel for schedule(static) if (3 * nodes >= kParallelRows)
   for (Index n = 0; n < nodes; ++n) {

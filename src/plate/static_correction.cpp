@@ -7,21 +7,9 @@
 #include <Eigen/Cholesky>
 
 namespace floe::plate {
-namespace {
-
-// Real operator on complex columns
-MatXcd solve_complex(const ShiftedFactor& factor, const MatXcd& rhs) {
-  MatXd real(rhs.rows(), rhs.cols()), imaginary(rhs.rows(), rhs.cols());
-  factor.solve(rhs.real(), real);
-  factor.solve(rhs.imag(), imaginary);
-  return real.cast<Complex>() + Complex(0.0, 1.0) * imaginary.cast<Complex>();
-}
-
-}  // namespace
-
-StaticCorrection::StaticCorrection(const mesh::Q8Mesh& mesh, const PlateProperties& properties,
+StaticCorrection::StaticCorrection(const mesh::Q8Mesh& mesh, const PlateRegions& regions,
                                    const DryModes& modes)
-    : modes_(modes), loss_factor_(properties.loss_factor) {
+    : modes_(modes), loss_factor_(regions.loss_factor()) {
   // NOTE: the shift only makes K + sM definite; a hundredth of the highest mode's ω² keeps the
   // factor well conditioned and the correction small
   const double highest = modes.omega.maxCoeff();
@@ -29,7 +17,7 @@ StaticCorrection::StaticCorrection(const mesh::Q8Mesh& mesh, const PlateProperti
                                                         << " (must hold an elastic mode for "
                                                            "section forces)");
   shift_ = 0.01 * highest * highest;
-  PlateMatrices plate = assemble_plate(mesh, properties);
+  PlateMatrices plate = assemble_plate(mesh, regions);
   factor_ = std::make_shared<const ShiftedFactor>(plate, shift_);
   mass_ = std::move(plate.mass);
   inertia_ = mass_ * modes.shape;
@@ -54,9 +42,9 @@ MatXcd StaticCorrection::displacement(const Eigen::Ref<const MatXcd>& load, doub
           (real.cast<Complex>() + Complex(0.0, 1.0) * imaginary.cast<Complex>());
 
   // Solve (K - ω²M) δ = r with K + sM and one correction
-  const MatXcd first = solve_complex(*factor_, rest);
+  const MatXcd first = factor_->solve(rest);
   rest += (shift_ + omega * omega) * (mass_.cast<Complex>() * first);
-  return solve_complex(*factor_, rest) / Complex(1.0, -loss_factor_);
+  return factor_->solve(rest) / Complex(1.0, -loss_factor_);
 }
 
 StaticCorrection::Influence StaticCorrection::influence(const SparseMatrix& functional) const {

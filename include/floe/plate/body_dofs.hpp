@@ -3,7 +3,6 @@
 #include <floe/mesh/q8_mesh.hpp>
 #include <floe/numeric/types.hpp>
 #include <floe/plate/dry_modes.hpp>
-#include <floe/plate/plate_properties.hpp>
 
 #include <string>
 #include <vector>
@@ -29,7 +28,8 @@ struct BodyDof {
 /// of mass (w = 1; w = y - y_c; w = -(x - x_c)), elastic modes as they are, mass-normalised.
 /// A body is a piece of the mesh, or all of it where the modes know three rigid motions only.
 /// Surge, sway and yaw move nothing in the water under a plate on z = 0: their columns of `motion`
-/// are zero, they have inertia only.
+/// are zero, they have inertia only. Where the modes tell no rotary inertia, yaw has that of roll
+/// and pitch together.
 struct BodyDofs {
   std::vector<std::string> body;  ///< "plate", or "plate_1", "plate_2", …
   Points2 centre;                 ///< of mass and of rotation, on z = 0, one a body [m]
@@ -44,7 +44,6 @@ struct BodyDofs {
 
 /// `mesh` is that of the modes. Throws InputError when the first modes do not hold the rigid
 /// motions of the bodies to 1e-6.
-BodyDofs body_dofs(const mesh::Q8Mesh& mesh, const DryModes& modes,
-                   const PlateProperties& properties, DofSet set);
+BodyDofs body_dofs(const mesh::Q8Mesh& mesh, const DryModes& modes, DofSet set);
 
 }  // namespace floe::plate

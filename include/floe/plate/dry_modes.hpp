@@ -2,7 +2,7 @@
 
 #include <floe/mesh/q8_mesh.hpp>
 #include <floe/numeric/types.hpp>
-#include <floe/plate/plate_properties.hpp>
+#include <floe/plate/plate_regions.hpp>
 
 namespace floe::plate {
 
@@ -25,13 +25,18 @@ struct DryModes {
   VecXd omega;       ///< ω_i [rad/s]; exactly 0 for the rigid modes
   MatXd shape;       ///< 3N × q; rows w [m], θx, θy [rad] of each node
   MatXd modal_mass;  ///< CᵀMC, q × q: the identity, but roll and pitch of a piece couple where ∫xy
-                     ///< ≠ 0
+                     ///< ≠ 0, and with heave where its mass per area differs
   int rigid_count = 0;  ///< 3 · number of pieces
+  /// ∫ρt³/12 dS of each piece [kg m²], that is θᵀMθ of θx or θy = 1 alone; 0 where only modes are
+  /// known.
+  VecXd rotary_inertia;
   /// Largest relative error of ω_i, estimated (P.10) from the jumps of the section forces between
   /// inner elements and from (kh)⁴/480, k the wavenumber of bending waves and h the longest side.
   /// Over rectangles, rings and L-shapes, distorted too, with 30 modes: 0.5 to 4.5 times the true
   /// one where that is above 1e-3; 0.2 (re-entrant corner, fine mesh) to 13 times down to 3e-5.
   double estimated_frequency_error = 0.0;
+  double orthonormality_error = 0.0;  ///< largest |CᵀMC - modal_mass|, recomputed piece by piece
+  double rigid_force_error = 0.0;     ///< largest |Kc| over the largest |K||c| of the rigid modes
   DryModeReport report;
   Index count() const { return omega.size(); }
 };
@@ -47,7 +52,7 @@ struct DryModeOptions {
 /// more than half the unknowns; ConvergenceError (with how many converged) when modes are missing;
 /// BudgetError when memory does not suffice for the factor.
 /// NOTE: sets a threaded OpenBLAS to one thread, and leaves it so.
-DryModes dry_modes(const mesh::Q8Mesh& mesh, const PlateProperties& properties,
+DryModes dry_modes(const mesh::Q8Mesh& mesh, const PlateRegions& regions,
                    const DryModeOptions& options = {});
 
 /// Modes of a coarser plate mesh at the nodes of a finer fluid mesh of the same outline, by the Q8

@@ -2,7 +2,7 @@
 
 #include <floe/mesh/q8_mesh.hpp>
 #include <floe/numeric/types.hpp>
-#include <floe/plate/plate_properties.hpp>
+#include <floe/plate/plate_regions.hpp>
 
 namespace floe::plate {
 
@@ -23,6 +23,6 @@ struct PlateMatrices {
 /// 300 m × 60 m plate on 12 m elements, sides bent and nodes moved by up to 2 m, largest error at
 /// 2 m and 0.1 m thickness: 3.3 % and 87 % plain, 0.8 % and 0.9 % tied.
 /// The same bits for any number of threads. Throws InputError on properties that no plate has.
-PlateMatrices assemble_plate(const mesh::Q8Mesh& mesh, const PlateProperties& properties);
+PlateMatrices assemble_plate(const mesh::Q8Mesh& mesh, const PlateRegions& regions);
 
 }  // namespace floe::plate

@@ -2,7 +2,7 @@
 
 #include <floe/mesh/q8_mesh.hpp>
 #include <floe/numeric/types.hpp>
-#include <floe/plate/plate_properties.hpp>
+#include <floe/plate/plate_regions.hpp>
 
 #include <span>
 
@@ -20,15 +20,19 @@ inline constexpr int kSectionForces = 5;
 
 /// Section moments and shear forces at the nodes, (5N × columns), from displacements (3N ×
 /// columns): evaluated at the 2 × 2 Gauss points, where they are most accurate, extrapolated
-/// bilinearly to the nodes and averaged over the elements that meet there. Linear in the
-/// displacements.
-MatXd section_forces(const mesh::Q8Mesh& mesh, const PlateProperties& properties,
+/// bilinearly to the nodes and averaged over the elements that meet there, on the line between two
+/// regions over those of both. Linear in the displacements.
+MatXd section_forces(const mesh::Q8Mesh& mesh, const PlateRegions& regions,
                      const Eigen::Ref<const MatXd>& displacement);
 
-/// The same as a matrix, for some nodes: rows 5k + SectionForce of nodes[k], columns as the
-/// unknowns (3N). Applied once to the mode shapes it serves any number of modal amplitudes.
-SparseMatrix section_force_operator(const mesh::Q8Mesh& mesh, const PlateProperties& properties,
-                                    std::span<const Index> nodes);
+inline constexpr int kAllRegions = -1;
+
+/// The same as a matrix, for some nodes and, where moments jump between regions, from the elements
+/// of one region only (rows of nodes that touch none are zero): rows 5k + SectionForce of nodes[k],
+/// columns as the unknowns (3N). Applied once to the mode shapes it serves any number of modal
+/// amplitudes.
+SparseMatrix section_force_operator(const mesh::Q8Mesh& mesh, const PlateRegions& regions,
+                                    std::span<const Index> nodes, int region = kAllRegions);
 
 /// Slopes of the deflection.
 enum Slope : int {

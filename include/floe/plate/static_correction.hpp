@@ -3,7 +3,7 @@
 #include <floe/mesh/q8_mesh.hpp>
 #include <floe/numeric/types.hpp>
 #include <floe/plate/dry_modes.hpp>
-#include <floe/plate/plate_properties.hpp>
+#include <floe/plate/plate_regions.hpp>
 
 #include <memory>
 
@@ -21,8 +21,7 @@ class StaticCorrection {
  public:
   /// Factors K + sM of the whole plate; keeps the modes' inertia M C (3N × q).
   /// Throws as dry_modes.
-  StaticCorrection(const mesh::Q8Mesh& mesh, const PlateProperties& properties,
-                   const DryModes& modes);
+  StaticCorrection(const mesh::Q8Mesh& mesh, const PlateRegions& regions, const DryModes& modes);
 
   /// δ, 3N × headings, from the pressure loads ∫ N_m p dS (N × headings [N/m]) and the amplitudes ξ
   /// of the modes (q × headings) at ω. To be added to C ξ.
