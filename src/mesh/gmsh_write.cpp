@@ -2,6 +2,7 @@
 
 #include <floe/mesh/gmsh.hpp>
 
+#include <algorithm>
 #include <charconv>
 
 namespace floe::mesh {
@@ -30,32 +31,72 @@ class MshText {
   std::string text_;
 };
 
-}  // namespace
+// The groups, and what they leave over
+std::vector<ElementGroup> all_groups(const Q8Mesh& mesh, const std::vector<ElementGroup>& groups) {
+  std::vector<ElementGroup> all = groups;
+  std::vector<bool> taken(static_cast<std::size_t>(mesh.element_count()), false);
+  for (const ElementGroup& group : groups)
+    for (const Index element : group.elements) taken[static_cast<std::size_t>(element)] = true;
+  ElementGroup rest{"plate", {}};
+  while (std::any_of(groups.begin(), groups.end(),
+                     [&](const ElementGroup& group) { return group.name == rest.name; }))
+    rest.name = "rest of " + rest.name;
+  for (Index e = 0; e < mesh.element_count(); ++e)
+    if (!taken[static_cast<std::size_t>(e)]) rest.elements.push_back(e);
+  if (!rest.elements.empty()) all.push_back(std::move(rest));
+  return all;
+}
 
-void write_gmsh(const std::filesystem::path& path, const Q8Mesh& mesh) {
-  // One surface entity that belongs to the physical surface "plate"
-  MshText out;
-  out << "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n"
-      << "$PhysicalNames\n1\n2 1 \"plate\"\n$EndPhysicalNames\n"
-      << "$Entities\n0 0 1 0\n1 " << mesh.lower().x() << " " << mesh.lower().y() << " 0 "
-      << mesh.upper().x() << " " << mesh.upper().y() << " 0 1 1 0\n$EndEntities\n";
+// A surface entity for each group, which belongs to the physical surface of that name
+void write_surfaces(const Q8Mesh& mesh, const std::vector<ElementGroup>& groups, MshText& out) {
+  const auto count = static_cast<Index>(groups.size());
+  out << "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n" << count << "\n";
+  for (Index g = 0; g < count; ++g)
+    out << "2 " << g + 1 << " \"" << groups[static_cast<std::size_t>(g)].name << "\"\n";
+  out << "$EndPhysicalNames\n$Entities\n0 0 " << count << " 0\n";
+  for (Index g = 0; g < count; ++g)
+    out << g + 1 << " " << mesh.lower().x() << " " << mesh.lower().y() << " 0 " << mesh.upper().x()
+        << " " << mesh.upper().y() << " 0 1 " << g + 1 << " 0\n";
+  out << "$EndEntities\n";
+}
 
-  // Nodes: all numbers, then all coordinates
-  const Index nodes = mesh.node_count(), elements = mesh.element_count();
+// All numbers, then all coordinates
+void write_nodes(const Q8Mesh& mesh, MshText& out) {
+  const Index nodes = mesh.node_count();
   out << "$Nodes\n1 " << nodes << " 1 " << nodes << "\n2 1 0 " << nodes << "\n";
   for (Index n = 0; n < nodes; ++n) out << n + 1 << "\n";
   for (Index n = 0; n < nodes; ++n)
     out << mesh.nodes()(0, n) << " " << mesh.nodes()(1, n) << " 0\n";
+  out << "$EndNodes\n";
+}
 
-  // Elements of type 16, quadrilateral with 8 nodes
-  out << "$EndNodes\n$Elements\n1 " << elements << " 1 " << elements << "\n2 1 16 " << elements
-      << "\n";
-  for (Index e = 0; e < elements; ++e) {
-    out << e + 1;
-    for (int a = 0; a < 8; ++a) out << " " << mesh.elements()(a, e) + 1;
-    out << "\n";
+// Type 16, quadrilateral with 8 nodes
+void write_elements(const Q8Mesh& mesh, const std::vector<ElementGroup>& groups, MshText& out) {
+  const auto count = static_cast<Index>(groups.size());
+  out << "$Elements\n"
+      << count << " " << mesh.element_count() << " 1 " << mesh.element_count() << "\n";
+  Index number = 0;
+  for (Index g = 0; g < count; ++g) {
+    const std::vector<Index>& elements = groups[static_cast<std::size_t>(g)].elements;
+    out << "2 " << g + 1 << " 16 " << static_cast<Index>(elements.size()) << "\n";
+    for (const Index e : elements) {
+      out << ++number;
+      for (int a = 0; a < 8; ++a) out << " " << mesh.elements()(a, e) + 1;
+      out << "\n";
+    }
   }
   out << "$EndElements\n";
+}
+
+}  // namespace
+
+void write_gmsh(const std::filesystem::path& path, const Q8Mesh& mesh,
+                const std::vector<ElementGroup>& groups) {
+  const std::vector<ElementGroup> all = all_groups(mesh, groups);
+  MshText out;
+  write_surfaces(mesh, all, out);
+  write_nodes(mesh, out);
+  write_elements(mesh, all, out);
   replace_file(path, out.text());
 }
 

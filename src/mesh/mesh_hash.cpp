@@ -9,6 +9,14 @@
 
 namespace floe::mesh {
 
+namespace {
+
+std::string text_of(const XXH128_hash_t& hash) {
+  return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
+}
+
+}  // namespace
+
 std::string mesh_hash(const Q8Mesh& mesh) {
   struct Free {
     void operator()(XXH3_state_t* state) const { XXH3_freeState(state); }
@@ -23,8 +31,11 @@ std::string mesh_hash(const Q8Mesh& mesh) {
   add(counts, 2);
   add(mesh.nodes().data(), mesh.nodes().size());
   add(mesh.elements().data(), mesh.elements().size());
-  const XXH128_hash_t hash = XXH3_128bits_digest(state.get());
-  return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
+  return text_of(XXH3_128bits_digest(state.get()));
+}
+
+std::string hash_of(const std::vector<int>& of_element) {
+  return text_of(XXH3_128bits(of_element.data(), of_element.size() * sizeof(int)));
 }
 
 }  // namespace floe::mesh

@@ -81,6 +81,14 @@ void measure_jumps(const Q8Mesh& mesh, MeshQuality& quality) {
 
 }  // namespace
 
+VecXd longest_edges(const Q8Mesh& mesh) {
+  VecXd longest = VecXd::Zero(mesh.element_count());
+  for (Index e = 0; e < mesh.element_count(); ++e)
+    for (int side = 0; side < 4; ++side)
+      longest[e] = std::max(longest[e], edge_length(mesh.element_nodes(e), side));
+  return longest;
+}
+
 MeshQuality measure_quality(const Q8Mesh& mesh) {
   MeshQuality quality;
   measure_edges(mesh, quality);

@@ -1,4 +1,5 @@
 #include "gmsh_texts.hpp"
+#include "test_paths.hpp"
 
 #include <floe/mesh/mesh_file.hpp>
 

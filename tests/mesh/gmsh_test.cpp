@@ -1,4 +1,5 @@
 #include "gmsh_texts.hpp"
+#include "test_paths.hpp"
 #include "tiny_meshes.hpp"
 
 #include <floe/mesh/gmsh.hpp>
@@ -160,6 +161,23 @@ TEST_F(GmshFile, RoundTripsToTheLastBit) {
   EXPECT_EQ(read.mesh.elements(), mesh.elements());
   EXPECT_TRUE(read.notices.empty());
   EXPECT_THAT(bytes_of(folder_ / "ring.msh"), HasSubstr("2 1 \"plate\""));
+}
+
+TEST_F(GmshFile, KeepsGroupsAndWhatTheyLeaveOver) {
+  write_gmsh(folder_ / "a.msh", test::tiny_plate(), {{"edge", {0, 5, 7}}, {"plate", {2}}});
+  const MeshFile read = read_mesh(folder_ / "a.msh");
+  const std::vector<std::pair<std::string, Index>> expected = {
+      {"edge", 3}, {"plate", 1}, {"rest of plate", 8}};
+  ASSERT_EQ(read.groups.size(), expected.size());
+  for (const auto& [name, count] : expected) {
+    const auto group =
+        std::find_if(read.groups.begin(), read.groups.end(),
+                     [&, wanted = name](const ElementGroup& g) { return g.name == wanted; });
+    ASSERT_NE(group, read.groups.end()) << name;
+    EXPECT_EQ(std::ssize(group->elements), count) << name;
+    if (name != "edge") continue;
+    EXPECT_EQ(read.mesh.element_nodes(group->elements[1]), test::tiny_plate().element_nodes(5));
+  }
 }
 
 TEST_F(GmshFile, WritesTheSameBytesTwice) {

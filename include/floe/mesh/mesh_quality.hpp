@@ -30,6 +30,9 @@ struct MeshQuality {
   Index edge_jump_neighbour = 0;  ///< the other; both 0 if no edge is shared
 };
 
+/// Length of the longest edge of each element [m].
+VecXd longest_edges(const Q8Mesh& mesh);
+
 /// Looks at every element and every edge once.
 MeshQuality measure_quality(const Q8Mesh& mesh);
 
