@@ -1,3 +1,5 @@
+#include "test_paths.hpp"
+
 #include <floe/bem/dense_pressure_operator.hpp>
 #include <floe/bem/fast_pressure_operator.hpp>
 #include <floe/bem/lattice_pressure_operator.hpp>
