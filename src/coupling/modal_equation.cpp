@@ -24,4 +24,24 @@ MatXcd modal_amplitudes(const plate::DryModes& modes, double loss_factor, double
   return scale.asDiagonal() * factors.solve(scale.asDiagonal() * exciting_force);
 }
 
+double change_by_last_modes(const plate::DryModes& modes, double loss_factor, double omega,
+                            const MatXcd& fluid_matrix, const MatXcd& exciting_force,
+                            const MatXcd& amplitudes, const Eigen::Ref<const MatXd>& shape) {
+  FLOE_EXPECT(amplitudes.rows() == modes.count() && shape.cols() == modes.count());
+  const Index left_out = (modes.count() - modes.rigid_count) / 4;
+  if (left_out == 0) return 0.0;
+  const Index kept = modes.count() - left_out;
+  plate::DryModes fewer;
+  fewer.omega = modes.omega.head(kept);
+  fewer.modal_mass = modes.modal_mass.topLeftCorner(kept, kept);
+  MatXcd change = amplitudes;
+  change.topRows(kept) -=
+      modal_amplitudes(fewer, loss_factor, omega, fluid_matrix.topLeftCorner(kept, kept),
+                       exciting_force.topRows(kept));
+  const MatXcd motion = shape.cast<Complex>() * amplitudes;
+  const double largest = motion.cwiseAbs().maxCoeff();
+  if (largest == 0.0) return 0.0;
+  return (shape.cast<Complex>() * change).cwiseAbs().maxCoeff() / largest;
+}
+
 }  // namespace floe::coupling

@@ -3,8 +3,11 @@
 #include <floe/numeric/error.hpp>
 #include <floe/wave/dispersion.hpp>
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace floe::hydro {
@@ -109,6 +112,15 @@ double energy_error(const Radiation& radiation, const MatXd& radiated, double om
       worst = std::max(worst, std::abs(radiation.damping(i, j) - radiated(i, j)) /
                                   std::sqrt(scale[i] * scale[j]));
   return worst;
+}
+
+double passivity_error(const Radiation& radiation) {
+  if (!radiation.damping.allFinite()) return std::numeric_limits<double>::quiet_NaN();
+  const MatXd symmetric = 0.5 * (radiation.damping + radiation.damping.transpose());
+  const VecXd values =
+      Eigen::SelfAdjointEigenSolver<MatXd>(symmetric, Eigen::EigenvaluesOnly).eigenvalues();
+  const double largest = values.cwiseAbs().maxCoeff();
+  return largest > 0.0 ? std::max(0.0, -values.minCoeff()) / largest : 0.0;
 }
 
 double reciprocity_error(const Radiation& radiation, double omega) {

@@ -39,6 +39,16 @@ std::vector<Index> nodes_read(const SparseMatrix& interpolation) {
   return nodes;
 }
 
+// The rows of the points in a region; those of others are empty
+SparseMatrix rows_in(const SparseMatrix& interpolation, const plate::PlateRegions& regions,
+                     int region, const std::vector<Index>& elements) {
+  SparseMatrix chosen = interpolation;
+  if (regions.count() > 1)
+    chosen.prune(
+        [&](Index point, Index, double) { return regions.region(elements[point]) == region; });
+  return chosen;
+}
+
 // points × (5 · nodes read): picks one section force of each node and interpolates it
 SparseMatrix select_force(const SparseMatrix& interpolation, const std::vector<Index>& nodes,
                           int row) {
@@ -63,29 +73,21 @@ bool is_section_force(Quantity quantity) {
   return quantity >= Quantity::kBendingMomentX && quantity <= Quantity::kSurfaceStressY;
 }
 
-ModalBasis::ModalBasis(const mesh::Q8Mesh& mesh, const plate::PlateProperties& properties,
+ModalBasis::ModalBasis(const mesh::Q8Mesh& mesh, const plate::PlateRegions& regions,
                        const plate::DryModes& modes, const SparseMatrix& interpolation,
-                       const std::vector<Quantity>& quantities)
-    : loss_factor_(properties.loss_factor) {
+                       const std::vector<Quantity>& quantities, const std::vector<Index>& elements)
+    : loss_factor_(regions.loss_factor()) {
   const MatXd deflection = strided_rows(modes.shape, 0, plate::kUnknownsPerNode);
   motion_[Quantity::kDeflection] = interpolation;
 
-  // Recover section forces at the nodes around the points only
-  // NOTE: stress at z = t/2 is M z / I with I = t³/12
-  const double stress_factor = 6.0 / (properties.thickness * properties.thickness);
-  if (std::any_of(quantities.begin(), quantities.end(), is_section_force)) {
-    const std::vector<Index> nodes = nodes_read(interpolation);
-    const SparseMatrix recovery = plate::section_force_operator(mesh, properties, nodes);
-    for (const Quantity quantity : quantities) {
-      if (!is_section_force(quantity)) continue;
-      const bool stress =
-          quantity == Quantity::kSurfaceStressX || quantity == Quantity::kSurfaceStressY;
-      SparseMatrix& at_points = section_force_[quantity];
-      at_points = select_force(interpolation, nodes, section_row(quantity)) * recovery;
-      if (stress) at_points *= stress_factor;
-      values_[quantity] = at_points * modes.shape;
-    }
-  }
+  // Recover section forces at the nodes around the points only, in each region by itself
+  FLOE_EXPECT(regions.count() == 1 || std::ssize(elements) == interpolation.rows());
+  if (std::any_of(quantities.begin(), quantities.end(), is_section_force))
+    for (int region = 0; region < regions.count(); ++region)
+      add_section_forces(mesh, regions, region, rows_in(interpolation, regions, region, elements),
+                         quantities);
+  for (const auto& [quantity, at_points] : section_force_)
+    values_[quantity] = at_points * modes.shape;
 
   // And slopes
   for (const Quantity quantity : quantities)
@@ -101,6 +103,28 @@ Complex ModalBasis::factor(Quantity quantity, double omega) const {
   if (quantity == Quantity::kVelocity) return Complex(0.0, -omega);
   if (quantity == Quantity::kAcceleration) return -omega * omega;
   return is_section_force(quantity) ? Complex(1.0, -loss_factor_) : Complex(1.0);
+}
+
+void ModalBasis::add_section_forces(const mesh::Q8Mesh& mesh, const plate::PlateRegions& regions,
+                                    int region, const SparseMatrix& interpolation,
+                                    const std::vector<Quantity>& quantities) {
+  // NOTE: stress at z = t/2 is M z / I with I = t³/12
+  const double thickness = regions[region].thickness;
+  const double stress_factor = 6.0 / (thickness * thickness);
+  const std::vector<Index> nodes = nodes_read(interpolation);
+  const SparseMatrix recovery = plate::section_force_operator(mesh, regions, nodes, region);
+  for (const Quantity quantity : quantities) {
+    if (!is_section_force(quantity)) continue;
+    const bool stress =
+        quantity == Quantity::kSurfaceStressX || quantity == Quantity::kSurfaceStressY;
+    SparseMatrix part = select_force(interpolation, nodes, section_row(quantity)) * recovery;
+    if (stress) part *= stress_factor;
+    SparseMatrix& at_points = section_force_[quantity];
+    if (at_points.size() == 0)
+      at_points = std::move(part);
+    else if (region > 0)
+      at_points = SparseMatrix(at_points + part);
+  }
 }
 
 MatXcd ModalBasis::evaluate(Quantity quantity, double omega, const MatXcd& amplitudes) const {

@@ -3,9 +3,38 @@
 #include <floe/numeric/error.hpp>
 #include <floe/response/stations.hpp>
 
+#include <sstream>
 #include <vector>
 
 namespace floe::response {
+namespace {
+
+mesh::ElementPoint require_place(const mesh::Q8Mesh& mesh, const mesh::PointLocator& locator,
+                                 const Point2& point, const std::string& name) {
+  const auto found = locator.locate(point);
+  FLOE_VALIDATE(found.has_value(), point_off_plates(mesh, point, name));
+  return *found;
+}
+
+}  // namespace
+
+std::vector<Index> elements_at(const mesh::Q8Mesh& mesh, const Points2& points,
+                               std::span<const std::string> names) {
+  const mesh::PointLocator locator(mesh);
+  std::vector<Index> elements;
+  for (Index i = 0; i < points.cols(); ++i)
+    elements.push_back(require_place(mesh, locator, points.col(i), names[i]).element);
+  return elements;
+}
+
+std::string point_off_plates(const mesh::Q8Mesh& mesh, const Point2& point,
+                             const std::string& name) {
+  std::ostringstream text;
+  text << "invalid point " << name << " = [" << point.x() << ", " << point.y()
+       << "] m (must lie on a plate; the mesh spans x = " << mesh.lower().x() << " … "
+       << mesh.upper().x() << " m, y = " << mesh.lower().y() << " … " << mesh.upper().y() << " m)";
+  return text.str();
+}
 
 SparseMatrix interpolation_to(const mesh::Q8Mesh& mesh, const Points2& points,
                               std::span<const std::string> names) {
@@ -13,16 +42,10 @@ SparseMatrix interpolation_to(const mesh::Q8Mesh& mesh, const Points2& points,
   const mesh::PointLocator locator(mesh);
   std::vector<Eigen::Triplet<double, std::int64_t>> entries;
   for (Index i = 0; i < points.cols(); ++i) {
-    const auto found = locator.locate(points.col(i));
-    FLOE_VALIDATE(found.has_value(),
-                  "invalid point " << names[i] << " = [" << points(0, i) << ", " << points(1, i)
-                                   << "] m (must lie on a plate; the mesh spans "
-                                   << "x = " << mesh.lower().x() << " … " << mesh.upper().x()
-                                   << " m, y = " << mesh.lower().y() << " … " << mesh.upper().y()
-                                   << " m)");
-    const mesh::Shape8 shape = mesh::q8_shape(found->xi, found->eta);
+    const mesh::ElementPoint found = require_place(mesh, locator, points.col(i), names[i]);
+    const mesh::Shape8 shape = mesh::q8_shape(found.xi, found.eta);
     for (int a = 0; a < 8; ++a)
-      entries.emplace_back(i, mesh.elements()(a, found->element), shape[a]);
+      entries.emplace_back(i, mesh.elements()(a, found.element), shape[a]);
   }
   SparseMatrix interpolation(points.cols(), mesh.node_count());
   interpolation.setFromTriplets(entries.begin(), entries.end());

@@ -3,6 +3,7 @@
 #include <floe/response/design_values.hpp>
 #include <floe/response/pseudo_excitation.hpp>
 
+#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include <cmath>

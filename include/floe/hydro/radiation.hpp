@@ -56,6 +56,10 @@ MatXd radiated_damping(const MatXcd& radiation_pressure, const mesh::Q8Mesh& mes
 /// Largest |b_ij - b̂_ij| relative to √(s_i s_j), s_i the larger of b_ii and ω|a_ii|.
 double energy_error(const Radiation& radiation, const MatXd& radiated, double omega);
 
+/// Most negative eigenvalue of the damping matrix's symmetric part over its largest, sign turned: 0
+/// where every motion loses energy. NaN where the damping is not finite.
+double passivity_error(const Radiation& radiation);
+
 /// ‖Q - Qᵀ‖ / ‖Q‖ of the hydrodynamic part Q = ω²a + iωb: 0 in exact arithmetic on a fine mesh.
 double reciprocity_error(const Radiation& radiation, double omega);
 

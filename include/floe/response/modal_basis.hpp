@@ -3,7 +3,7 @@
 #include <floe/mesh/q8_mesh.hpp>
 #include <floe/numeric/types.hpp>
 #include <floe/plate/dry_modes.hpp>
-#include <floe/plate/plate_properties.hpp>
+#include <floe/plate/plate_regions.hpp>
 #include <floe/response/quantity.hpp>
 
 #include <map>
@@ -22,10 +22,11 @@ bool is_section_force(Quantity quantity);
 class ModalBasis {
  public:
   /// `interpolation` (points × N) is that of stations.hpp on the mesh of the modes. Quantities that
-  /// are not structural are passed over.
-  ModalBasis(const mesh::Q8Mesh& mesh, const plate::PlateProperties& properties,
+  /// are not structural are passed over. Where the plate has several regions, `elements` says on
+  /// which element each point lies: moments along the line between two regions jump.
+  ModalBasis(const mesh::Q8Mesh& mesh, const plate::PlateRegions& regions,
              const plate::DryModes& modes, const SparseMatrix& interpolation,
-             const std::vector<Quantity>& quantities);
+             const std::vector<Quantity>& quantities, const std::vector<Index>& elements = {});
 
   /// A structural quantity at all points for amplitudes ξ (q × headings) at ω: points × headings.
   MatXcd evaluate(Quantity quantity, double omega, const MatXcd& amplitudes) const;
@@ -39,6 +40,9 @@ class ModalBasis {
 
  private:
   Complex factor(Quantity quantity, double omega) const;
+  void add_section_forces(const mesh::Q8Mesh& mesh, const plate::PlateRegions& regions, int region,
+                          const SparseMatrix& interpolation,
+                          const std::vector<Quantity>& quantities);
 
   double loss_factor_;
   std::map<Quantity, MatXd> values_;                // points × q, without factors of time and loss
