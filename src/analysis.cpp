@@ -1,4 +1,5 @@
 #include "analysis_stages.hpp"
+#include "work_share.hpp"
 
 #include <floe/analysis.hpp>
 
@@ -12,13 +13,17 @@ void analyse(const Case& data, Log& log, Store& store) {
   // Read the meshes and hold them against the waves and the memory
   const Meshes meshes = clock.time("mesh", [&] { return prepare_meshes(data, log); });
   const SeaBand band = prepare_seas(data, meshes, log);
-  store.begin(data, meshes.fluid, plan_of(data, meshes));
+  const Estimate plan = plan_of(data, meshes);
+  WorkShare work(plan, data);
+  store.begin(data, meshes.fluid, plan);
 
   // Find how the plate moves when it is dry
-  log.progress(0.0, "dry plate");
   const bool modal = data.route == SolverRoute::kModal;
+  log.progress(0.0, "dry plate");
+  std::optional<plate::DryModes> known_modes = modal ? store.known_modes() : std::nullopt;
+  work.plate(known_modes.has_value());
   const PlateModel plate = clock.time(modal ? "dry modes" : "plate", [&] {
-    return prepare_plate(data, meshes, modal ? store.known_modes() : std::nullopt);
+    return prepare_plate(data, meshes, std::move(known_modes));
   });
   if (modal) store.modes(plate.modes, meshes.plate());
 
@@ -32,21 +37,22 @@ void analyse(const Case& data, Log& log, Store& store) {
   };
 
   // Solve one frequency after the other
-  const double count = static_cast<double>(data.omega.size());
   for (std::size_t i = 0; i < data.omega.size(); ++i) {
-    log.progress(static_cast<double>(i) / count,
+    if (!data.shard.holds(i)) continue;
+    log.progress(work.share(),
                  "frequency " + std::to_string(i + 1) + " of " + std::to_string(data.omega.size()));
     const auto solve = modal ? solve_frequency : solve_frequency_direct;
     const std::optional<FrequencyResult> known = store.known_frequency(i);
     store.frequency(known ? *known : solve(data, plate, fluid(), data.omega[i], clock));
+    work.frequency(known.has_value());
   }
 
   // Put the plate into the seas
-  if (band.asked()) {
+  if (band.asked() && data.shard.holds_seas()) {
     if (const std::optional<SeaGridReport> known = store.known_sea_grid())
       repeat_seas(data, *known, store);
     else
-      solve_seas(data, band, plate, fluid(), clock, log, store);
+      solve_seas(data, band, plate, fluid(), clock, work, log, store);
   }
   log.progress(1.0, "done");
   store.finish(clock.times());

@@ -1,6 +1,9 @@
 #include "analysis_stages.hpp"
+#include "finite_checks.hpp"
 
 #include <floe/bem/damped_wave_preconditioner.hpp>
+#include <floe/bem/residual_between_nodes.hpp>
+#include <floe/bem/sampled_residual.hpp>
 #include <floe/coupling/coupled_operator.hpp>
 #include <floe/hydro/flexural_gravity.hpp>
 #include <floe/hydro/surface_integrals.hpp>
@@ -10,6 +13,7 @@
 #include <floe/plate/plate_compliance.hpp>
 #include <floe/wave/dispersion.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -53,21 +57,49 @@ class PlateOnWater final : public coupling::Compliance {
   plate::PlateCompliance compliance_;
 };
 
-bem::FloatingPlate floating_plate(const Case& data, double omega) {
+// The region of most elements stands for all: this one only speeds the iteration up
+bem::FloatingPlate floating_plate(const Case& data, const plate::PlateRegions& regions,
+                                  double omega) {
+  const std::vector<Index> count = regions.element_counts();
+  const plate::PlateProperties& typical =
+      regions[static_cast<int>(std::max_element(count.begin(), count.end()) - count.begin())];
   const double weight = data.water.density * data.water.gravity;
-  return {.rigidity = data.plate.bending_rigidity() / weight,
-          .inertia = data.plate.surface_mass() * omega * omega / weight,
-          .wavenumber = hydro::flexural_wavenumber(omega, data.water, data.plate)};
+  return {.rigidity = typical.bending_rigidity() / weight,
+          .inertia = typical.surface_mass() * omega * omega / weight,
+          .wavenumber = hydro::flexural_wavenumber(omega, data.water, typical)};
 }
 
-void require_light(const Case& data, double omega) {
-  const double inertia = data.plate.surface_mass() * omega * omega;
+double heaviest_surface(const plate::PlateRegions& regions) {
+  const std::vector<Index> count = regions.element_counts();
+  double heaviest = 0.0;
+  for (int region = 0; region < regions.count(); ++region)
+    if (count[region] > 0) heaviest = std::max(heaviest, regions[region].surface_mass());
+  return heaviest;
+}
+
+void require_light(const Case& data, const plate::PlateRegions& regions, double omega) {
+  const double surface_mass = heaviest_surface(regions);
+  const double inertia = surface_mass * omega * omega;
   const double weight = data.water.density * data.water.gravity;
   FLOE_VALIDATE(inertia < weight,
                 "invalid omega = " << omega << " rad/s (must be below "
-                                   << std::sqrt(weight / data.plate.surface_mass())
+                                   << std::sqrt(weight / surface_mass)
                                    << " for solver.route = direct, where the plate's inertia "
                                       "outweighs the water's stiffness)");
+}
+
+// Of the fluid's equation (I + κ𝒢)p = ρg(ζ₀ - w) by the exact operator, relative to ρgζ₀, and what
+// it leaves between the nodes
+void check_residuals(const Case& data, const FluidModel& fluid, const green::GreenTable& green,
+                     const MatXcd& pressure, const MatXcd& deflection, FrequencyResult& result) {
+  const double weight = data.water.density * data.water.gravity;
+  const MatXcd incident = weight * hydro::incident_elevation(fluid.integrals.mesh().nodes(),
+                                                             result.wavenumber, fluid.heading);
+  const MatXcd known = incident - weight * deflection;
+  result.report.exact_residual =
+      bem::sampled_residual(fluid.integrals, green, pressure, known, incident);
+  result.report.residual_between_nodes =
+      bem::residual_between_nodes(fluid.integrals, green, pressure, known);
 }
 
 // Power that the waves bring against what they take away and the plate loses (H.10), and what one
@@ -126,7 +158,7 @@ void read_off(const Case& data, const PlateModel& plate, const FluidModel& fluid
 FrequencyResult solve_frequency_direct(const Case& data, const PlateModel& plate,
                                        const FluidModel& fluid, double omega, StageClock& clock) {
   const auto start = std::chrono::steady_clock::now();
-  require_light(data, omega);
+  require_light(data, plate.regions, omega);
   const mesh::Q8Mesh& mesh = fluid.integrals.mesh();
   const double weight = data.water.density * data.water.gravity;
   FrequencyResult result;
@@ -148,8 +180,8 @@ FrequencyResult solve_frequency_direct(const Case& data, const PlateModel& plate
   // Solve for all headings together
   MatXcd total(mesh.node_count(), static_cast<Index>(fluid.heading.size()));
   clock.time("coupled equation", [&] {
-    const bem::DampedWavePreconditioner preconditioner(mesh, green.exact(),
-                                                       {.plate = floating_plate(data, omega)});
+    const bem::DampedWavePreconditioner preconditioner(
+        mesh, green.exact(), {.plate = floating_plate(data, plate.regions, omega)});
     const MatXcd incident =
         weight * hydro::incident_elevation(mesh.nodes(), result.wavenumber, fluid.heading);
     const krylov::GmresReport solved = krylov::solve_gmres(
@@ -167,6 +199,8 @@ FrequencyResult solve_frequency_direct(const Case& data, const PlateModel& plate
     result.exciting_force.resize(0, total.cols());
     read_off(data, plate, fluid, compliance, green, displacement, pressure, result);
     check_physics(data, fluid, green, pressure, deflection, result);
+    check_residuals(data, fluid, green, pressure, deflection, result);
+    require_finite(result);
   });
   result.report.kernel_error = green.sampled_error(200);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;

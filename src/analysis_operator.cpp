@@ -14,6 +14,16 @@ namespace {
 // The engines promise what they are asked for to 1e-7; no result needs more of the operator
 constexpr double kLeastSumTolerance = 1e-7, kLargestSumTolerance = 1e-2;
 
+// NOTE: sums to 1e-6 would be in single precision, whose rounding alone, 3e-7 of the potentials,
+// leaves residuals of up to 3e-6 where potentials cancel; below this tolerance they are in double
+constexpr double kDoubleBelow = 5e-6, kSumToleranceInDouble = 2e-7;
+
+double sum_tolerance(double tolerance) {
+  const double wanted =
+      tolerance < kDoubleBelow ? std::min(tolerance, kSumToleranceInDouble) : tolerance;
+  return std::clamp(wanted, kLeastSumTolerance, kLargestSumTolerance);
+}
+
 bem::SumEngine engine_of(SolverMethod method) {
   return method == SolverMethod::kPfft ? bem::SumEngine::kPfft : bem::SumEngine::kMultipole;
 }
@@ -26,12 +36,10 @@ FluidOperators prepare_operators(const Case& data, const mesh::Q8Mesh& mesh, dou
     plans.lattice = std::make_shared<const bem::LatticePlan>(mesh);
   if (plans.method == SolverMethod::kPfft || plans.method == SolverMethod::kFmm)
     plans.sums = std::make_shared<const bem::FastPressurePlan>(
-        mesh,
-        bem::FastOptions{
-            .engine = engine_of(plans.method),
-            .tolerance = std::clamp(data.tolerance, kLeastSumTolerance, kLargestSumTolerance),
-            .max_wavenumber = wave::wavenumber(highest, data.water),
-            .memory_budget = numeric::memory_budget(data.memory_limit, numeric::memory_limits())});
+        mesh, bem::FastOptions{.engine = engine_of(plans.method),
+                               .tolerance = sum_tolerance(data.tolerance),
+                               .max_wavenumber = wave::wavenumber(highest, data.water),
+                               .memory_budget = plan_budget(data)});
   return plans;
 }
 

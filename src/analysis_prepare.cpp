@@ -54,10 +54,18 @@ SparseMatrix interpolation_to_nodes(const mesh::Q8Mesh& plate, const mesh::Q8Mes
 }
 
 // Reads a mesh and passes its notices on
-mesh::Q8Mesh load_told(const MeshSource& source, Log& log) {
+mesh::MeshFile load_told(const MeshSource& source, Log& log) {
   mesh::MeshFile file = load_mesh(source);
   for (const std::string& notice : file.notices) log.notice(notice);
-  return std::move(file.mesh);
+  return file;
+}
+
+plate::DryModes compute_modes(const Case& data, const mesh::Q8Mesh& mesh,
+                              const plate::PlateRegions& regions) {
+  if (!data.structure) return plate::dry_modes(mesh, regions, {.count = data.mode_count});
+  if (data.structure->has_modes())
+    return plate::dry_modes(mesh, data.structure->modes, data.mode_count);
+  return plate::dry_modes(mesh, data.structure->matrices, {.count = data.mode_count});
 }
 
 // Of the direct route
@@ -88,12 +96,17 @@ Estimate plan_of(const Case& data, const Meshes& meshes) {
 }
 
 Meshes prepare_meshes(const Case& data, Log& log) {
-  Meshes meshes{load_told(data.mesh, log), std::nullopt};
-  if (!data.plate_mesh.empty()) meshes.own_plate = load_told(data.plate_mesh.front(), log);
+  mesh::MeshFile file = load_told(data.mesh, log);
+  Meshes meshes{std::move(file.mesh), std::nullopt, data.plate};
+  if (!data.plate_mesh.empty()) {
+    file = load_told(data.plate_mesh.front(), log);
+    meshes.own_plate = std::move(file.mesh);
+  }
+  meshes.regions = plate_regions(data, meshes.plate().element_count(), file.groups);
 
   // Refuse what is too coarse or too large before anything is computed
-  const Preflight found =
-      preflight(data, meshes.fluid, meshes.own_plate ? &*meshes.own_plate : nullptr);
+  const Preflight found = preflight(
+      data, meshes.fluid, meshes.own_plate ? &*meshes.own_plate : nullptr, &meshes.regions);
   for (const std::string& warning : found.warnings) log.warning(warning);
   require_resolution(data, found);
   require_fit(data, meshes.fluid, meshes.own_plate ? &*meshes.own_plate : nullptr);
@@ -108,22 +121,25 @@ PlateModel prepare_plate(const Case& data, const Meshes& meshes,
   const SparseMatrix at_points =
       response::interpolation_to(mesh, positions_of(data.points), names_of(data.points));
   const SparseMatrix at_lines = interpolation_to_lines(mesh, data.lines);
+  const plate::PlateRegions& regions = meshes.regions;
   const bool direct = data.route == SolverRoute::kDirect;
   plate::DryModes modes = direct  ? no_modes(mesh)
                           : known ? std::move(*known)
-                                  : plate::dry_modes(mesh, data.plate, {.count = data.mode_count});
+                                  : compute_modes(data, mesh, regions);
   plate::DryModes fluid_modes =
       meshes.own_plate ? plate::interpolate_modes(modes, mesh, meshes.fluid) : modes;
-  response::ModalBasis points(mesh, data.plate, modes, at_points, data.quantities);
+  const std::vector<Index> elements =
+      response::elements_at(mesh, positions_of(data.points), names_of(data.points));
+  response::ModalBasis points(mesh, regions, modes, at_points, data.quantities, elements);
   response::ModalBasis lines(mesh, data.plate, modes, at_lines, {});
   std::optional<plate::StaticCorrection> correction;
-  if (wants_section_forces(data) && !direct) correction.emplace(mesh, data.plate, modes);
+  if (wants_section_forces(data) && !direct) correction.emplace(mesh, regions, modes);
   SparseMatrix from_plate;
   if (meshes.own_plate) from_plate = interpolation_to_nodes(mesh, meshes.fluid);
   std::optional<plate::PlateMatrices> matrices;
-  if (direct) matrices = plate::assemble_plate(mesh, data.plate);
-  return {std::move(modes),      std::move(fluid_modes), std::move(points),  std::move(lines),
-          std::move(correction), std::move(from_plate),  std::move(matrices)};
+  if (direct) matrices = plate::assemble_plate(mesh, regions);
+  return {regions,          std::move(modes),      std::move(fluid_modes), std::move(points),
+          std::move(lines), std::move(correction), std::move(from_plate),  std::move(matrices)};
 }
 
 FluidModel prepare_fluid(const Case& data, const Meshes& meshes, const PlateModel& plate,

@@ -1,4 +1,6 @@
+#include "finite_checks.hpp"
 #include "sea_fluid.hpp"
+#include "work_share.hpp"
 
 #include <floe/sea_statistics.hpp>
 #include <floe/wave/dispersion.hpp>
@@ -113,6 +115,12 @@ class ResponseDifference {
         observed_(observed),
         largest_(observed.quantity.size() + 1, 0.0) {}
 
+  /// One a quantity and the deflection as a whole; all comparisons so far went into it.
+  const std::vector<double>& largest() const { return largest_; }
+  void remember(const std::vector<double>& largest) {
+    if (largest.size() == largest_.size()) largest_ = largest;
+  }
+
   double operator()(const FluidSample& a, const FluidSample& b) {
     const MatXcd one = waves_.states(a, kProbeHeadings);
     const MatXcd other = waves_.states(b, kProbeHeadings);
@@ -151,6 +159,16 @@ class ResponseDifference {
   std::vector<double> largest_;
 };
 
+// A march that begins, or goes on where an earlier run left it
+FluidMarch begin_march(const FluidMarch::Options& options, const std::optional<SeaMarch>& earlier,
+                       Store& store, const FluidMarch::Solve& solve,
+                       const FluidMarch::Difference& difference) {
+  if (!earlier) return {options, solve, difference};
+  std::deque<FluidSample> samples;
+  for (const int number : earlier->samples) samples.push_back(*store.known_sea_sample(number));
+  return {options, *earlier, std::move(samples), solve, difference};
+}
+
 }  // namespace
 
 namespace {
@@ -166,7 +184,8 @@ NodeSpectrumSink sink_of(const Case& data, std::size_t frequency, Store& store) 
 }  // namespace
 
 void solve_seas(const Case& data, const SeaBand& band, const PlateModel& plate,
-                const FluidModel& fluid, StageClock& clock, Log& log, Store& store) {
+                const FluidModel& fluid, StageClock& clock, WorkShare& work, Log& log,
+                Store& store) {
   // Prepare what is observed, from where and at which frequencies
   const mesh::Q8Mesh& mesh = fluid.integrals.mesh();
   const double length = std::max(kReferenceLength / 10.0, mesh.size());
@@ -175,24 +194,59 @@ void solve_seas(const Case& data, const SeaBand& band, const PlateModel& plate,
   const MatXd zones = all_zone_amplitudes(data.seas, mesh);
   SeaGridReport grid{fine_frequencies(data, band, length), circle_headings(data, mesh, band.to)};
   SeaStatistics statistics(data.seas, observation, grid.omega, grid.headings, data.relations);
+  const std::optional<SeaMarch> earlier = store.known_sea_march();
   store.begin_seas(observation, grid);
 
-  // Solve as few frequencies as the tolerance needs, tell the fluid in between
-  FluidMarch march(
-      band.from, band.to, kFirstStep * kReferenceLength / length, data.sea_grid.tolerance,
-      [&](double omega) {
-        return clock.time("seas: radiation", [&] { return waves.solve(omega); });
-      },
-      ResponseDifference(data, waves, observation));
+  // Solve as few frequencies as the tolerance needs
+  ResponseDifference difference(data, waves, observation);
+  if (earlier) {
+    difference.remember(earlier->largest_response);
+    waves.remember_pressure_error(earlier->pressure_error);
+  }
+  const auto solve = [&](int number, double omega) {
+    if (std::optional<FluidSample> known = store.known_sea_sample(number))
+      if (known->omega == omega) {
+        waves.remember_pressure_error(known->pressure_error);
+        return std::move(*known);
+      }
+    FluidSample sample = clock.time("seas: radiation", [&] { return waves.solve(omega); });
+    store.sea_sample(number, sample);
+    return sample;
+  };
+  FluidMarch march =
+      begin_march({.from = band.from,
+                   .to = band.to,
+                   .first_step = kFirstStep * kReferenceLength / length,
+                   .tolerance = data.sea_grid.tolerance},
+                  earlier, store, solve,
+                  [&](const FluidSample& a, const FluidSample& b) { return difference(a, b); });
+
+  // Tell the fluid in between
+  const std::size_t first = earlier ? earlier->next : 0;
+  int kept = earlier ? earlier->solved : 0;  // samples up to the last state that was stored
   for (std::size_t i = 0; i < grid.omega.size(); ++i) {
-    log.progress(static_cast<double>(i) / static_cast<double>(grid.omega.size()),
-                 fmt::format("seas, {:.3f} rad/s", grid.omega[i]));
+    work.seas(i, first, grid.omega.size());
+    log.progress(work.share(), fmt::format("seas, {:.3f} rad/s", grid.omega[i]));
+    if (i < first) {
+      const SeaTransfer transfer = store.known_transfer(i);
+      store.sea_transfer(transfer);
+      statistics.add(transfer, sink_of(data, i, store));
+      continue;
+    }
     const FluidSample sample = march.at(grid.omega[i]);
     clock.time("seas: response", [&] {
       const SeaTransfer transfer = transfer_of(waves, sample, grid.headings, zones);
+      require_finite(transfer);
       store.sea_transfer(transfer);
       statistics.add(transfer, sink_of(data, i, store));
     });
+    if (march.solved() == kept) continue;
+    SeaMarch state = march.state();
+    state.next = i + 1;
+    state.largest_response = difference.largest();
+    state.pressure_error = waves.pressure_error();
+    store.sea_march(state);
+    kept = march.solved();
   }
 
   // Tell the statistics, and how they came about

@@ -8,6 +8,7 @@
 #include <floe/estimate.hpp>
 #include <floe/hydro/radiation.hpp>
 #include <floe/krylov/gmres.hpp>
+#include <floe/numeric/error.hpp>
 #include <floe/numeric/memory.hpp>
 #include <floe/plate/mindlin.hpp>
 #include <floe/plate/static_correction.hpp>
@@ -15,12 +16,15 @@
 
 #include <chrono>
 #include <memory>
+#include <new>
 #include <optional>
 #include <string>
 #include <vector>
 
 /// The stages of `analyse`, one function each.
 namespace floe {
+
+class WorkShare;
 
 /// Adds up wall time under the names of stages.
 class StageClock {
@@ -29,7 +33,12 @@ class StageClock {
   auto time(const std::string& stage, Work work) {
     const auto start = std::chrono::steady_clock::now();
     const Stop stop{*this, stage, start};
-    return work();
+    try {
+      return work();
+    } catch (const std::bad_alloc&) {
+      throw BudgetError("out of memory in the stage " + stage +
+                        " (give fewer nodes or modes, or run floe check for the need)");
+    }
   }
   const std::vector<StageTime>& times() const { return times_; }
 
@@ -50,11 +59,13 @@ class StageClock {
 struct Meshes {
   mesh::Q8Mesh fluid;
   std::optional<mesh::Q8Mesh> own_plate;
+  plate::PlateRegions regions;  ///< of the plate's mesh
   const mesh::Q8Mesh& plate() const { return own_plate ? *own_plate : fluid; }
 };
 
 /// The dry plate and what is read off its modes.
 struct PlateModel {
+  plate::PlateRegions regions;  ///< of the plate's mesh
   plate::DryModes modes;        ///< on the plate's mesh
   plate::DryModes fluid_modes;  ///< the same at the fluid's nodes
   response::ModalBasis points;
@@ -113,6 +124,8 @@ FrequencyResult solve_frequency(const Case& data, const PlateModel& plate, const
 /// The same by one coupled equation (C.4) without modes, one column a heading.
 FrequencyResult solve_frequency_direct(const Case& data, const PlateModel& plate,
                                        const FluidModel& fluid, double omega, StageClock& clock);
+/// Whether the pressure under the moving plate is needed in every heading.
+bool wants_pressure(const Case& data);
 /// Headings whose node fields are wanted at a frequency; nothing asked for means the first heading
 /// at ten frequencies at most, evenly spread.
 std::vector<Index> field_headings(const Case& data, double omega);
@@ -128,7 +141,8 @@ void add_wave_elevation(const Case& data, const FluidModel& fluid, const green::
 /// a warning where they change within a wavelength, DataError where they leave a part of it out.
 SeaBand prepare_seas(const Case& data, const Meshes& meshes, Log& log);
 void solve_seas(const Case& data, const SeaBand& band, const PlateModel& plate,
-                const FluidModel& fluid, StageClock& clock, Log& log, Store& store);
+                const FluidModel& fluid, StageClock& clock, WorkShare& work, Log& log,
+                Store& store);
 /// Amplitudes (E.23) of all zones of all seas that have any, nodes × zones.
 MatXd all_zone_amplitudes(const std::vector<wave::SeaState>& seas, const mesh::Q8Mesh& mesh);
 /// Holds the zones against the plate and the lengths of their waves.

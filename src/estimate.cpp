@@ -1,3 +1,5 @@
+#include "fluid_cost.hpp"
+
 #include <floe/bem/element_lattice.hpp>
 #include <floe/estimate.hpp>
 #include <floe/numeric/error.hpp>
@@ -13,18 +15,11 @@
 namespace floe {
 namespace {
 
-// Rates of one current core, rounded: they make a time estimate, never a decision
-constexpr double kFactorRate = 2.5e10;     // complex LU [flop/s]
-constexpr double kKernelRate = 5e7;        // Green function and weights [evaluations/s]
-constexpr double kSparseRate = 2e9;        // sparse Cholesky and its solves [flop/s]
-constexpr double kBytesOfProgram = 5e7;    // code, libraries, tables
-constexpr double kPointsPerElement = 9.0;  // far quadrature
-constexpr double kNearWork = 2000.0;       // kernel evaluations of the near elements, one node
-constexpr double kApplicationsPerColumn = 15.0;   // of a fast operator, preconditioned
-constexpr double kApplicationsPerHeading = 30.0;  // of the coupled equation
-constexpr double kBytesOfIntegrals = 1000.0;      // rules, locator and sources, a node
-constexpr double kLargestDense = 500.0;           // nodes up to which `auto` is dense
-constexpr double kLanczosSolves = 4.0;            // solves per mode
+// Rates of one current core, rounded
+constexpr double kFactorRate = 2.5e10;   // products of small dense matrices [flop/s]
+constexpr double kSparseRate = 2e9;      // sparse Cholesky and its solves [flop/s]
+constexpr double kBytesOfProgram = 5e7;  // code, libraries, tables
+constexpr double kLanczosSolves = 4.0;   // solves per mode
 
 constexpr double kSeaSolves = 40.0;    // frequencies that a sea makes the program solve
 constexpr double kSeaSamples = 9.0;    // of these in memory
@@ -71,49 +66,24 @@ StageEstimate estimate_modes(const Sizes& s) {
 
 // On the direct route the factor alone, with the matrix beside it, once a frequency; a solve for
 // each application, real and imaginary parts
-StageEstimate estimate_plate(const Sizes& s) {
+StageEstimate estimate_plate(const Sizes& s, const FluidWork& work) {
   const double unknowns = 3.0 * s.plate_nodes;
   const double factor = 31.0 * unknowns * std::log2(std::max(2.0, unknowns)) / 4.0;
-  const double solves = 2.0 * kApplicationsPerHeading * s.headings;
-  return {.stage = "plate",
-          .memory = 16.0 * 4.0 * 60.0 * unknowns + 16.0 * factor,
-          .seconds = s.frequencies *
-                     (400.0 * std::pow(unknowns, 1.5) / 4.0 + solves * 4.0 * factor) / kSparseRate};
+  double seconds = 0.0;
+  for (const double length : work.lengths) {
+    const double solves = 2.0 * work.columns * applications_a_column(length, work.columns);
+    seconds += (400.0 * std::pow(unknowns, 1.5) / 4.0 + solves * 4.0 * factor) / kSparseRate;
+  }
+  return {
+      .stage = "plate", .memory = 16.0 * 4.0 * 60.0 * unknowns + 16.0 * factor, .seconds = seconds};
 }
 
-// The matrix and its factors; right-hand sides, solutions and residuals stand beside them
-StageEstimate estimate_dense_radiation(const Sizes& s, int threads) {
-  const double assembly = s.nodes * (s.elements * kPointsPerElement + kNearWork) / kKernelRate;
-  const double factor = 8.0 / 3.0 * std::pow(s.nodes, 3) / kFactorRate;
-  const double solve = 8.0 * s.nodes * s.nodes * (s.modes + s.headings) / kFactorRate;
+// The operator, the Krylov space and, beside them, right-hand sides, solutions and residuals
+StageEstimate estimate_radiation(const Sizes& s, const FluidCost& cost, double krylov,
+                                 int threads) {
   return {.stage = "radiation",
-          .memory = 32.0 * s.nodes * s.nodes + 16.0 * s.nodes * (4.0 * s.modes + 2.0 * s.headings),
-          .seconds = s.frequencies * (assembly + factor + solve) / threads};
-}
-
-// Cost a node of one application, of a set-up a frequency and of the plan, and the bytes held
-struct MethodCost {
-  double application, setup, plan, bytes;  // [s] of one thread, three times; [byte]
-};
-
-MethodCost cost_of(SolverMethod method) {
-  if (method == SolverMethod::kLattice) return {1.5e-7, 6e-7, 1e-7, 500.0};
-  if (method == SolverMethod::kPfft) return {2.5e-7, 6e-6, 8.5e-5, 4500.0};
-  return {6e-7, 1.9e-5, 1.05e-4, 7000.0};
-}
-
-StageEstimate estimate_iterative_radiation(const Sizes& s, SolverMethod method, double krylov,
-                                           int threads) {
-  const MethodCost cost = cost_of(method);
-  const double columns = s.modes + s.headings;
-  const double directions =
-      s.modes > 0.0 ? kApplicationsPerColumn * columns : kApplicationsPerHeading * s.headings;
-  const double work = s.nodes * (cost.setup + directions * cost.application) +
-                      16.0 * s.nodes * directions * directions / kFactorRate;
-  return {.stage = "radiation",
-          .memory = s.nodes * (cost.bytes + kBytesOfIntegrals) + krylov +
-                    16.0 * s.nodes * (4.0 * s.modes + 2.0 * s.headings),
-          .seconds = (s.nodes * cost.plan + s.frequencies * work) / threads};
+          .memory = cost.memory + krylov + 16.0 * s.nodes * (4.0 * s.modes + 2.0 * s.headings),
+          .seconds = cost.seconds / threads};
 }
 
 StageEstimate estimate_response(const Sizes& s) {
@@ -136,22 +106,25 @@ StageEstimate estimate_seas(const Sizes& s, const StageEstimate& radiation, int 
 
 }  // namespace
 
-const char* method_name(SolverMethod method) {
-  constexpr std::array<const char*, 5> names = {"auto", "dense", "lattice", "pfft", "fmm"};
-  return names[static_cast<std::size_t>(method)];
-}
-
-const char* route_name(SolverRoute route) {
-  return route == SolverRoute::kDirect ? "direct" : "modal";
-}
-
 SolverMethod resolve_method(const Case& data, const mesh::Q8Mesh& mesh) {
   if (data.method != SolverMethod::kAuto) return data.method;
-  if (static_cast<double>(mesh.node_count()) <= kLargestDense) return SolverMethod::kDense;
-  const Point2 extent = mesh.upper() - mesh.lower();
-  const bool filled = mesh.area() >= extent.x() * extent.y() / 6.0;
-  if (!filled) return SolverMethod::kFmm;
-  return bem::find_element_lattice(mesh) ? SolverMethod::kLattice : SolverMethod::kPfft;
+  const FluidWork work = fluid_work(data, mesh);
+  SolverMethod cheapest = SolverMethod::kDense;
+  double least = fluid_cost(cheapest, work).seconds;
+  for (const SolverMethod method :
+       {SolverMethod::kLattice, SolverMethod::kPfft, SolverMethod::kFmm}) {
+    const double seconds = fluid_cost(method, work).seconds;
+    if (seconds >= least) continue;
+    if (method == SolverMethod::kLattice && !bem::find_element_lattice(mesh)) continue;
+    cheapest = method;
+    least = seconds;
+  }
+  return cheapest;
+}
+
+double plan_budget(const Case& data) {
+  if (data.plan_memory > 0.0) return data.plan_memory;
+  return numeric::memory_budget(data.memory_limit, numeric::memory_limits());
 }
 
 KrylovPlan plan_krylov(const Case& data, const mesh::Q8Mesh& mesh) {
@@ -161,7 +134,7 @@ KrylovPlan plan_krylov(const Case& data, const mesh::Q8Mesh& mesh) {
                                                  ? static_cast<Index>(data.heading_deg.size())
                                                  : data.mode_count);
   const double wanted = 16.0 * static_cast<double>(mesh.node_count()) * columns * 32.0;
-  const double budget = 0.5 * numeric::memory_budget(data.memory_limit, numeric::memory_limits());
+  const double budget = 0.5 * plan_budget(data);
   const bool in_float = wanted > budget;
   return {.memory = std::min(in_float ? 0.5 * wanted : wanted, budget), .in_float = in_float};
 }
@@ -176,12 +149,12 @@ Estimate estimate(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Mesh
   needed.method = method_name(method);
   needed.route = route_name(data.route);
   needed.nodes = mesh.node_count();
+  const double krylov = method == SolverMethod::kDense ? 0.0 : plan_krylov(data, mesh).memory;
+  const FluidWork work = fluid_work(data, mesh);
   const StageEstimate radiation =
-      method == SolverMethod::kDense
-          ? estimate_dense_radiation(s, std::max(1, threads))
-          : estimate_iterative_radiation(s, method, plan_krylov(data, mesh).memory,
-                                         std::max(1, threads));
-  needed.stages = {direct ? estimate_plate(s) : estimate_modes(s), radiation, estimate_response(s)};
+      estimate_radiation(s, fluid_cost(method, work), krylov, std::max(1, threads));
+  needed.stages = {direct ? estimate_plate(s, work) : estimate_modes(s), radiation,
+                   estimate_response(s)};
   if (!data.seas.empty() || (data.sea_grid.from && data.sea_grid.to))
     needed.stages.push_back(estimate_seas(s, radiation, std::max(1, threads)));
   needed.knobs = "a coarser mesh, fewer modes, a larger --memory";

@@ -29,18 +29,48 @@ std::vector<double> lagrange_weights(std::span<const double> nodes, double x) {
   return weights;
 }
 
-FluidMarch::FluidMarch(double from, double to, double first_step, double tolerance, Solve solve,
-                       Difference difference)
-    : to_(to),
-      step_(std::min(first_step, (to - from) / 5.0)),
+FluidMarch::FluidMarch(const Options& options, Solve solve, Difference difference)
+    : to_(options.to),
+      step_(std::min(options.first_step, (options.to - options.from) / 5.0)),
       least_step_(kFinest * step_),
-      tolerance_(tolerance),
+      tolerance_(options.tolerance),
       solve_(std::move(solve)),
       difference_(std::move(difference)) {
-  samples_.push_back(solve_(from));
-  solved_ = 1;
+  solve_at(0, options.from);
   while (samples_.size() < 5) extend();
   refine();
+}
+
+FluidMarch::FluidMarch(const Options& options, const SeaMarch& earlier,
+                       std::deque<FluidSample> samples, Solve solve, Difference difference)
+    : to_(options.to),
+      step_(earlier.step),
+      least_step_(kFinest * std::min(options.first_step, (options.to - options.from) / 5.0)),
+      tolerance_(options.tolerance),
+      solve_(std::move(solve)),
+      difference_(std::move(difference)),
+      samples_(std::move(samples)),
+      numbers_(earlier.samples.begin(), earlier.samples.end()),
+      interval_(earlier.interval),
+      solved_(earlier.solved),
+      largest_error_(earlier.largest_error) {}
+
+SeaMarch FluidMarch::state() const {
+  SeaMarch state;
+  state.interval = interval_;
+  state.step = step_;
+  state.solved = solved_;
+  state.largest_error = largest_error_;
+  state.samples.assign(numbers_.begin(), numbers_.end());
+  return state;
+}
+
+// One more sample, before the one that is at that place now
+void FluidMarch::solve_at(std::size_t place, double omega) {
+  const auto at = static_cast<std::ptrdiff_t>(place);
+  samples_.insert(samples_.begin() + at, solve_(solved_, omega));
+  numbers_.insert(numbers_.begin() + at, solved_);
+  ++solved_;
 }
 
 // One more frequency at the high end
@@ -48,8 +78,7 @@ void FluidMarch::extend() {
   const double last = samples_.back().omega;
   const double left = to_ - last;
   const double step = left < 1.5 * step_ ? (left > step_ ? 0.5 * left : left) : step_;
-  samples_.push_back(solve_(left - step < 1e-9 * to_ ? to_ : last + step));
-  ++solved_;
+  solve_at(samples_.size(), left - step < 1e-9 * to_ ? to_ : last + step);
 }
 
 // First sample of the cubic for an interval: one on each side where there is one
@@ -62,7 +91,9 @@ FluidSample FluidMarch::interpolate(double omega, Index first) const {
   for (Index i = 0; i < kCubic; ++i) nodes[i] = samples_[static_cast<std::size_t>(first + i)].omega;
   const std::vector<double> weights = lagrange_weights(nodes, omega);
   const FluidSample& origin = samples_[static_cast<std::size_t>(first)];
-  FluidSample result{omega, weights[0] * origin.pressure, weights[0] * origin.fluid_matrix};
+  FluidSample result{.omega = omega,
+                     .pressure = weights[0] * origin.pressure,
+                     .fluid_matrix = weights[0] * origin.fluid_matrix};
   for (Index i = 1; i < kCubic; ++i) {
     const FluidSample& sample = samples_[static_cast<std::size_t>(first + i)];
     result.pressure += weights[static_cast<std::size_t>(i)] * sample.pressure;
@@ -102,9 +133,7 @@ void FluidMarch::refine() {
       return;
     }
     step_ = std::max(least_step_, 0.5 * width);
-    samples_.insert(samples_.begin() + static_cast<std::ptrdiff_t>(i) + 1,
-                    solve_(samples_[i].omega + 0.5 * width));
-    ++solved_;
+    solve_at(i + 1, samples_[i].omega + 0.5 * width);
   }
 }
 
@@ -114,6 +143,7 @@ FluidSample FluidMarch::at(double omega) {
     ++interval_;
     while (interval_ > 3) {
       samples_.pop_front();
+      numbers_.pop_front();
       --interval_;
     }
     refine();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <floe/numeric/types.hpp>
+#include <floe/sea_results.hpp>
 
 #include <deque>
 #include <functional>
@@ -10,13 +10,6 @@
 /// The fluid between the frequencies at which it was solved.
 namespace floe {
 
-/// Radiation pressures and fluid matrix of one frequency.
-struct FluidSample {
-  double omega = 0.0;   ///< [rad/s]
-  MatXcd pressure;      ///< p_i, N × q
-  MatXcd fluid_matrix;  ///< P, q × q
-};
-
 /// Lagrange's weights of `nodes` at x.
 std::vector<double> lagrange_weights(std::span<const double> nodes, double x);
 
@@ -24,21 +17,33 @@ std::vector<double> lagrange_weights(std::span<const double> nodes, double x);
 /// allows and keeps at most eight of them.
 class FluidMarch {
  public:
-  using Solve = std::function<FluidSample(double omega)>;
+  /// Solves the sample of this number, from 0.
+  using Solve = std::function<FluidSample(int number, double omega)>;
   /// How far apart the responses to two candidates for the fluid at one frequency are, relative to
   /// what matters.
   using Difference = std::function<double(const FluidSample&, const FluidSample&)>;
 
-  FluidMarch(double from, double to, double first_step, double tolerance, Solve solve,
-             Difference difference);
+  struct Options {
+    double from = 0.0, to = 0.0;  ///< [rad/s]
+    double first_step = 0.0;      ///< [rad/s]
+    double tolerance = 1e-3;      ///< of the difference, estimated
+  };
+
+  FluidMarch(const Options& options, Solve solve, Difference difference);
+  /// Goes on where an earlier march was, with the samples that it names.
+  FluidMarch(const Options& options, const SeaMarch& earlier, std::deque<FluidSample> samples,
+             Solve solve, Difference difference);
 
   /// Moves on until the fluid at `omega` can be told; frequencies must not fall.
   FluidSample at(double omega);
 
+  /// All but `next` and `largest_response`.
+  SeaMarch state() const;
   int solved() const { return solved_; }
   double largest_error() const { return largest_error_; }  ///< (E.10) over the intervals used
 
  private:
+  void solve_at(std::size_t place, double omega);
   void extend();
   void refine();
   double estimate(Index interval) const;
@@ -49,7 +54,8 @@ class FluidMarch {
   Solve solve_;
   Difference difference_;
   std::deque<FluidSample> samples_;
-  Index interval_ = 0;  // its lower end, in samples_
+  std::deque<int> numbers_;  // of the samples
+  Index interval_ = 0;       // its lower end, in samples_
   int solved_ = 0;
   double largest_error_ = 0.0;
 };

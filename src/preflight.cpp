@@ -15,12 +15,41 @@
 namespace floe {
 namespace {
 
-// Fewer nodes a wavelength are refused always: such a result would be noise, and the Green
-// function's table, which grows with the mesh's size in wavelengths, would fill any memory
-constexpr double kNodesAtLeast = 0.1;
 constexpr double kLargestAspect = 20.0;
 constexpr double kLargestJump = 10.0;
 constexpr double kLargestScale = 1e4;
+
+// A part of the plate with its own waves, and the distance of its nodes
+struct Part {
+  plate::PlateProperties properties;
+  double spacing = 0.0;  // [m]
+};
+
+// The fluid's mesh and the plate's own both have to follow the waves along the plate, in each
+// region those of the region
+std::vector<Part> parts_of(const plate::PlateRegions& regions, const mesh::Q8Mesh& mesh,
+                           const mesh::Q8Mesh* plate_mesh) {
+  const mesh::Q8Mesh& own = plate_mesh ? *plate_mesh : mesh;
+  const VecXd edges = mesh::longest_edges(own);
+  const double fluid = plate_mesh ? mesh::longest_edges(mesh).maxCoeff() : 0.0;
+  std::vector<double> longest(regions.count(), 0.0);
+  for (Index e = 0; e < own.element_count(); ++e)
+    longest[regions.region(e)] = std::max(longest[regions.region(e)], edges[e]);
+  std::vector<Part> parts;
+  for (int region = 0; region < regions.count(); ++region)
+    if (longest[region] > 0.0)
+      parts.push_back({regions[region], 0.5 * std::max(longest[region], fluid)});
+  return parts;
+}
+
+// The same where it is not known which elements are of which region: each may be on the longest
+std::vector<Part> parts_anywhere(const Case& data, const mesh::Q8Mesh& mesh,
+                                 const mesh::Q8Mesh* plate_mesh) {
+  std::vector<Part> parts = parts_of(data.plate, mesh, plate_mesh);
+  for (const PlateRegion& region : data.regions)
+    parts.push_back({region.properties, parts.front().spacing});
+  return parts;
+}
 
 // Range of the frequencies below a bound: "omega = 1.2 … 2 rad/s (5 of 9 frequencies)"
 std::string name_coarse(const std::vector<Resolution>& resolution, double bound, double& least) {
@@ -88,23 +117,25 @@ void warn_about_modes(const Case& data, const mesh::Q8Mesh& mesh, double shortes
 
 // The points and the stations of the lines lie on the mesh
 void require_points(const Case& data, const mesh::Q8Mesh& mesh) {
-  std::vector<std::string> names;
+  std::vector<std::string> names, places;
   std::vector<Point2> positions;
   for (const NamedPoint& point : data.points) {
     names.push_back(point.name);
+    places.push_back(point.place);
     positions.push_back(point.position);
   }
   for (const NamedLine& line : data.lines) {
     const Points2 stations = response::line_stations(line.from, line.to, line.count);
     for (int i = 0; i < line.count; ++i) {
       names.push_back(fmt::format("{} of line {}", i + 1, line.name));
+      places.push_back(line.place);
       positions.emplace_back(stations.col(i));
     }
   }
-  Points2 points(2, static_cast<Index>(positions.size()));
+  const mesh::PointLocator locator(mesh);
   for (std::size_t i = 0; i < positions.size(); ++i)
-    points.col(static_cast<Index>(i)) = positions[i];
-  static_cast<void>(response::interpolation_to(mesh, points, names));
+    FLOE_VALIDATE(locator.locate(positions[i]).has_value(),
+                  places[i] << response::point_off_plates(mesh, positions[i], names[i]));
 }
 
 void require_modes(const Case& data, const mesh::Q8Mesh& mesh) {
@@ -114,6 +145,14 @@ void require_modes(const Case& data, const mesh::Q8Mesh& mesh) {
       data.mode_count >= least && data.mode_count <= most,
       "invalid modes.count = " << data.mode_count << " (must be " << least << " to " << most
                                << " for this mesh: three a plate, at most half the unknowns)");
+}
+
+void require_structure(const Case& data, const mesh::Q8Mesh& mesh) {
+  if (!data.structure) return;
+  if (data.structure->has_modes())
+    plate::check_modes(mesh, data.structure->modes);
+  else
+    plate::check_matrices(mesh, data.structure->matrices);
 }
 
 void require_cover(const mesh::Q8Mesh& plate, const mesh::Q8Mesh& fluid) {
@@ -129,22 +168,28 @@ void require_cover(const mesh::Q8Mesh& plate, const mesh::Q8Mesh& fluid) {
 
 }  // namespace
 
-Preflight preflight(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Mesh* plate_mesh) {
+Preflight preflight(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Mesh* plate_mesh,
+                    const plate::PlateRegions* regions) {
   Preflight found;
   found.quality = mesh::measure_quality(mesh);
   const double spacing = 0.5 * found.quality.longest_edge;
-  const double plate_spacing =
-      plate_mesh ? std::max(spacing, 0.5 * mesh::measure_quality(*plate_mesh).longest_edge)
-                 : spacing;
+  std::vector<Part> parts;  // NOTE: none of a structure that another program has made
+  if (!data.structure)
+    parts = regions ? parts_of(*regions, mesh, plate_mesh) : parts_anywhere(data, mesh, plate_mesh);
   for (const double omega : data.omega) {
     const double wavelength = 2.0 * std::numbers::pi / wave::wavenumber(omega, data.water);
-    const double flexural =
-        2.0 * std::numbers::pi / hydro::flexural_wavenumber(omega, data.water, data.plate);
-    found.resolution.push_back({.omega = omega,
-                                .wavelength = wavelength,
-                                .flexural_wavelength = flexural,
-                                .nodes_per_wavelength = wavelength / spacing,
-                                .nodes_per_flexural_wavelength = flexural / plate_spacing});
+    Resolution resolution;
+    resolution.omega = omega;
+    resolution.wavelength = wavelength;
+    resolution.nodes_per_wavelength = wavelength / spacing;
+    for (const Part& part : parts) {
+      const double flexural =
+          2.0 * std::numbers::pi / hydro::flexural_wavenumber(omega, data.water, part.properties);
+      if (flexural / part.spacing >= resolution.nodes_per_flexural_wavelength) continue;
+      resolution.flexural_wavelength = flexural;
+      resolution.nodes_per_flexural_wavelength = flexural / part.spacing;
+    }
+    found.resolution.push_back(resolution);
   }
   warn_about_shape(found.quality, found.warnings);
   warn_about_waves(found.resolution, mesh.size(), found.warnings);
@@ -178,6 +223,7 @@ void require_fit(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Mesh*
     require_points(data, *plate_mesh);
   }
   require_modes(data, plate_mesh ? *plate_mesh : mesh);
+  require_structure(data, plate_mesh ? *plate_mesh : mesh);
 }
 
 }  // namespace floe

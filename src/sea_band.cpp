@@ -35,8 +35,8 @@ double quantile(const wave::SeaState& sea, double wanted) {
 double resolved_frequency(Case data, const Meshes& meshes) {
   const auto resolves = [&](double omega) {
     data.omega = {omega};
-    const Preflight found =
-        preflight(data, meshes.fluid, meshes.own_plate ? &*meshes.own_plate : nullptr);
+    const Preflight found = preflight(
+        data, meshes.fluid, meshes.own_plate ? &*meshes.own_plate : nullptr, &meshes.regions);
     return found.resolution.front().least_nodes() >= kNodesWanted;
   };
   double low = 1e-3, high = kHighest;

@@ -69,18 +69,20 @@ FluidSample SeaFluid::solve(double omega) {
   hydro::Radiation radiation =
       hydro::solve_radiation(*pressure_operator, deflection, fluid_.surface_mass, omega,
                              data_.water, residual_limit(data_, fluid_));
-  FluidSample sample{omega, std::move(radiation.pressure), std::move(radiation.fluid_matrix)};
-  if (pressures_ == 0) return sample;
-  sample.pressure.conservativeResize(Eigen::NoChange, state_size());
-  sample.pressure.rightCols(pressures_) =
-      pressure_influence(*pressure_operator, green, wave::wavenumber(omega, data_.water));
+  FluidSample sample{.omega = omega,
+                     .pressure = std::move(radiation.pressure),
+                     .fluid_matrix = std::move(radiation.fluid_matrix)};
+  if (pressures_ > 0) add_point_pressures(*pressure_operator, green, sample);
+  remember_pressure_error(sample.pressure_error);
   return sample;
 }
 
-MatXcd SeaFluid::pressure_influence(const bem::PressureOperator& pressure_operator,
-                                    const green::GreenTable& green, double wavenumber) {
+// Their influences as further columns, and what they are worth
+void SeaFluid::add_point_pressures(const bem::PressureOperator& pressure_operator,
+                                   const green::GreenTable& green, FluidSample& sample) const {
+  const double wavenumber = wave::wavenumber(sample.omega, data_.water);
   const double limit = residual_limit(data_, fluid_);
-  MatXcd influence = hydro::wave_pressure_influence(
+  const MatXcd influence = hydro::wave_pressure_influence(
       pressure_operator, fluid_.integrals, green, fluid_.surface_mass, points_, data_.water, limit);
 
   // Hold one heading against its diffraction problem
@@ -94,9 +96,9 @@ MatXcd SeaFluid::pressure_influence(const bem::PressureOperator& pressure_operat
       hydro::solve_diffraction(pressure_operator,
                                hydro::incident_elevation(mesh.nodes(), wavenumber, heading),
                                data_.water, limit);
-  pressure_error_ = std::max(pressure_error_,
-                             (own - direct).cwiseAbs().maxCoeff() / direct.cwiseAbs().maxCoeff());
-  return influence;
+  sample.pressure_error = (own - direct).cwiseAbs().maxCoeff() / direct.cwiseAbs().maxCoeff();
+  sample.pressure.conservativeResize(Eigen::NoChange, state_size());
+  sample.pressure.rightCols(pressures_) = influence;
 }
 
 MatXcd SeaFluid::states(const FluidSample& sample, int headings, const VecXd& amplitude) const {

@@ -3,6 +3,8 @@
 #include "analysis_stages.hpp"
 #include "fluid_march.hpp"
 
+#include <algorithm>
+
 namespace floe {
 
 /// The waves of a sea's stage: what the fluid has to be solved for at a frequency, and what follows
@@ -29,10 +31,12 @@ class SeaFluid {
   /// Largest difference of a pressure at a point, by reciprocity, from that of the diffraction
   /// problem, relative to the largest at the points; 0 where none is asked for.
   double pressure_error() const { return pressure_error_; }
+  /// Counts in what an earlier run found.
+  void remember_pressure_error(double error) { pressure_error_ = std::max(pressure_error_, error); }
 
  private:
-  MatXcd pressure_influence(const bem::PressureOperator& pressure_operator,
-                            const green::GreenTable& green, double wavenumber);
+  void add_point_pressures(const bem::PressureOperator& pressure_operator,
+                           const green::GreenTable& green, FluidSample& sample) const;
 
   const Case& data_;  // view, as the next two
   const PlateModel& plate_;

@@ -3,24 +3,31 @@
 #include <floe/mesh/mesh_file.hpp>
 #include <floe/mesh/q8_mesh.hpp>
 #include <floe/mesh/rectangle.hpp>
+#include <floe/mesh/shapes.hpp>
 #include <floe/numeric/types.hpp>
 #include <floe/plate/dry_modes.hpp>
-#include <floe/plate/plate_properties.hpp>
+#include <floe/plate/given_structure.hpp>
+#include <floe/plate/plate_regions.hpp>
 #include <floe/response/quantity.hpp>
 #include <floe/sea_results.hpp>
 #include <floe/wave/water.hpp>
 
 #include <filesystem>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
 /// The whole story: a case goes in, results go to a store, stage by stage.
 namespace floe {
 
-/// Where a mesh comes from: the generator, or a file.
-using MeshSource = std::variant<mesh::RectangleOptions, std::filesystem::path>;
+/// Where a mesh comes from: a shape that floe meshes, or a file.
+using MeshSource =
+    std::variant<mesh::RectangleOptions, mesh::DiscOptions, mesh::RingOptions, mesh::LShapeOptions,
+                 mesh::ModuleArrayOptions, std::filesystem::path>;
 
 /// Makes or reads it, with notices about what was left out or turned.
 mesh::MeshFile load_mesh(const MeshSource& source);
@@ -29,6 +36,7 @@ mesh::MeshFile load_mesh(const MeshSource& source);
 struct NamedPoint {
   std::string name;
   Point2 position;
+  std::string place = {};  ///< where the case file says so, "CASE.toml:12:9: "
 };
 
 /// A named straight line on the plate, `count` equidistant stations, both ends included.
@@ -37,6 +45,22 @@ struct NamedLine {
   Point2 from;
   Point2 to;
   int count = 0;
+  std::string place = {};  ///< where the case file says so
+};
+
+/// A part of the plate with properties of its own.
+struct PlateRegion {
+  std::string name;                   ///< of a group of elements of the plate's mesh
+  plate::PlateProperties properties;  ///< shear correction and loss factor as those of the plate
+};
+
+/// What another program has made of the plate, in place of its thickness and material.
+struct GivenStructure {
+  std::vector<std::pair<std::string, std::filesystem::path>> files;  ///< by their keys
+  std::string hash;                                                  ///< of what they hold
+  plate::PlateMatrices matrices;                                     ///< K and M, or
+  plate::GivenModes modes;                                           ///< modes (then K is empty)
+  bool has_modes() const { return modes.shape.size() > 0; }
 };
 
 /// A wave for which node fields are written.
@@ -58,12 +82,25 @@ const char* route_name(SolverRoute route);
 /// "auto", "dense", "lattice", "pfft", "fmm", as case files and run.json have it.
 const char* method_name(SolverMethod method);
 
+/// A part of a sweep: every `count`-th frequency from the `index`-th on, counted from 1. The last
+/// part takes the seas.
+struct Shard {
+  int index = 1;
+  int count = 1;
+  bool holds(std::size_t place) const {
+    return place % static_cast<std::size_t>(count) == static_cast<std::size_t>(index - 1);
+  }
+  bool holds_seas() const { return index == count; }
+};
+
 /// Everything that a case file says, resolved to SI units. See docs/conventions.md.
 struct Case {
   std::string title;
   std::string text;  ///< the case file as it was written; empty without one
   wave::Water water;
   plate::PlateProperties plate;
+  std::vector<PlateRegion> regions;                 ///< parts of the plate that differ
+  std::shared_ptr<const GivenStructure> structure;  ///< null: a plate by its properties
   MeshSource mesh;
   std::vector<MeshSource> plate_mesh;  ///< empty, or one: a mesh of its own for the plate
   int mode_count = 30;
@@ -80,10 +117,25 @@ struct Case {
   bool node_spectra = false;         ///< of the deflection at all nodes, in every sea
   std::vector<FieldRequest> fields;  ///< empty: the first heading, at most 10 frequencies
   std::vector<wave::SeaState> seas;  ///< any number
+  std::string sea_text;              ///< the seas as the case file has them, without comments
+  std::map<std::string, std::filesystem::path> sea_files;  ///< that they name, by key
   SeaGrid sea_grid;
   bool allow_coarse = false;  ///< go on with fewer than 2 nodes a wavelength
   double memory_limit = 0.0;  ///< [byte]; 0: what the machine and its cgroup allow
+  double plan_memory = 0.0;   ///< [byte] that methods are planned for; 0: as memory_limit says
+  Shard shard;                ///< the part of the sweep that is computed
 };
+
+/// The mesh of the plate: its own, or else that of the fluid.
+const MeshSource& plate_source(const Case& data);
+
+/// The properties of every element of the plate, from the groups of its mesh. Throws InputError
+/// when a region names none of them, or when an element lies in two regions.
+plate::PlateRegions plate_regions(const Case& data, Index element_count,
+                                  const std::vector<mesh::ElementGroup>& groups);
+
+/// The same once more from the plate's mesh, which is read only where there are regions.
+plate::PlateRegions plate_regions(const Case& data);
 
 /// What a frequency's solution is worth.
 struct FrequencyReport {
@@ -95,7 +147,13 @@ struct FrequencyReport {
   double kernel_error = 0.0;       ///< relative error of G from its table, sampled
   double reciprocity_error = 0.0;  ///< ‖P - Pᵀ‖/‖P‖ of the hydrodynamic part
   double energy_error = 0.0;       ///< damping against radiated energy, relative to ω·max|a|
-  double seconds = 0.0;            ///< wall time
+  double exact_residual = 0.0;     ///< as true_residual, by the exact operator on sampled rows
+  /// In the middles of elements, where nothing was asked of the solution: what the mesh costs.
+  double residual_between_nodes = 0.0;
+  /// By leaving out the highest quarter of the elastic modes, relative to the largest deflection.
+  double mode_change = 0.0;
+  double passivity_error = 0.0;  ///< most negative eigenvalue of the damping over the largest
+  double seconds = 0.0;          ///< wall time
 };
 
 /// Node field of one wave: nodal deflection and pressure per metre of amplitude.
@@ -143,15 +201,17 @@ class Log {
   virtual void notice(const std::string& text) = 0;
   /// Something that may make the results worse.
   virtual void warning(const std::string& text) = 0;
-  /// Share of the whole run that is done, 0 … 1, and what runs now.
+  /// Share of the run's work that is done, 0 … 1, as predicted, and what runs now. What an earlier
+  /// run did is no work.
   virtual void progress(double share, const std::string& now) = 0;
 };
 
 struct Estimate;
 
 /// Where results go. Called in this order: once `begin`, on the modal route once `modes`, each
-/// frequency by rising ω, once `finish`. With seas, after the frequencies: once `begin_seas`, the
-/// transfer functions by rising ω, each sea and mean heading as in the case, once `end_seas`.
+/// frequency of the shard by rising ω, once `finish`. With seas, after the frequencies: once
+/// `begin_seas`, the transfer functions by rising ω, in between samples and marches, each sea and
+/// mean heading as in the case, once `end_seas`.
 class Store {
  public:
   virtual ~Store() = default;
@@ -164,6 +224,12 @@ class Store {
   virtual std::optional<SeaGridReport> known_sea_grid() { return std::nullopt; }
   virtual SeaTransfer known_transfer(std::size_t) { return {}; }
   virtual SeaObservation known_observation() { return {}; }
+  /// Seas that were not finished: `known_transfer` up to `next`, and all samples that it names.
+  virtual std::optional<SeaMarch> known_sea_march() { return std::nullopt; }
+  virtual std::optional<FluidSample> known_sea_sample(int number) {
+    (void)number;
+    return std::nullopt;
+  }
 
   virtual void begin(const Case& data, const mesh::Q8Mesh& mesh, const Estimate& plan) = 0;
   /// `mesh` is that of the modes: the plate's own, or else the fluid's.
@@ -176,6 +242,9 @@ class Store {
   virtual void node_spectrum(std::size_t result, std::size_t frequency, const VecXd& spectrum) {
     (void)result, (void)frequency, (void)spectrum;
   }
+  /// What was solved for the seas, numbered from 0; kept until a march that does not name it.
+  virtual void sea_sample(int number, const FluidSample& sample) { (void)number, (void)sample; }
+  virtual void sea_march(const SeaMarch&) {}
   virtual void sea(const SeaResult&) {}
   virtual void end_seas(const SeaGridReport&) {}
   virtual void finish(const std::vector<StageTime>& times) = 0;

@@ -25,10 +25,15 @@ struct Estimate {
   std::string knobs;     ///< what the user can turn to need less
 };
 
-/// The method that a case gets: its own, or for `auto` dense up to 500 nodes, the lattice where
-/// elements are equal and fill a sixth of the bounding rectangle, pFFT where any others do, else
-/// FMM.
+/// The method that a case gets: its own, or for `auto` the one that takes the least time for all of
+/// its frequencies by a fixed table of costs: node count, number of modes and headings, length in
+/// waves, how much of the bounding rectangle the plates fill. Lattice only where all elements are
+/// equal rectangles. The machine has no say.
 SolverMethod resolve_method(const Case& data, const mesh::Q8Mesh& mesh);
+
+/// The memory that methods are planned for [byte]. A run keeps it, so that going on with it later,
+/// with other memory free, gives the same bits; what is free only refuses.
+double plan_budget(const Case& data);
 
 /// The Krylov space of an iterative solution.
 struct KrylovPlan {

@@ -70,6 +70,28 @@ struct SeaTransfer {
   std::vector<MatXcd> zone_states = {};
 };
 
+/// Radiation pressures and fluid matrix of one frequency, from which the fluid at others is told.
+struct FluidSample {
+  double omega = 0.0;   ///< [rad/s]
+  MatXcd pressure;      ///< p_i, N × (q + m)
+  MatXcd fluid_matrix;  ///< P, (q + m) × (q + m)
+  /// Of the pressures at points by (R.4), relative to the largest.
+  double pressure_error = 0.0;
+};
+
+/// How far the seas have come: the transfer functions that are done, and what the way to the next
+/// ones needs, so that it goes on with the same bits.
+struct SeaMarch {
+  std::size_t next = 0;                  ///< place of the first transfer function not yet done
+  Index interval = 0;                    ///< of the samples, its lower end
+  double step = 0.0;                     ///< [rad/s]
+  int solved = 0;                        ///< samples so far
+  double largest_error = 0.0;            ///< (E.10) over the intervals done
+  std::vector<int> samples;              ///< numbers of the samples that are needed, by rising ω
+  std::vector<double> largest_response;  ///< one a quantity and the deflection as a whole
+  double pressure_error = 0.0;           ///< largest of all samples so far
+};
+
 /// How the transfer functions between the solved frequencies came about.
 struct SeaGridReport {
   std::vector<double> omega;         ///< all frequencies of the transfer functions [rad/s]

@@ -113,4 +113,26 @@ void write_file(const std::filesystem::path& path, std::string_view content) {
   file.commit();
 }
 
+void copy_whole_file(const std::filesystem::path& from, const std::filesystem::path& to) {
+  PendingFile copy(to);
+  std::error_code error;
+  std::filesystem::copy_file(from, copy.temporary(), error);
+  if (error)
+    throw FileError("cannot copy " + from.string() + " to " + to.string() + ": " + error.message());
+  copy.commit();
+}
+
+void sync_to_disk(const std::filesystem::path& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool good = descriptor >= 0 && synced(descriptor);
+  const int error = errno;
+  if (descriptor >= 0) ::close(descriptor);
+  if (!good) fail_to_write(path, error);
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  if (::mkdir(folder.c_str(), 0777) != 0 && errno != EEXIST)
+    throw FileError("cannot write to " + folder.string() + ": " + std::strerror(errno));
+}
+
 }  // namespace floe::io

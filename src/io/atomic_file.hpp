@@ -59,4 +59,13 @@ class PendingFile final {
 /// Writes a whole file that way.
 void write_file(const std::filesystem::path& path, std::string_view content);
 
+/// Copies a file, however large, that way. Throws FileError also when it cannot be read.
+void copy_whole_file(const std::filesystem::path& from, const std::filesystem::path& to);
+
+/// Has the system write a file or folder out to the disk. Throws FileError.
+void sync_to_disk(const std::filesystem::path& path);
+
+/// Makes a folder where there is none; its parent must exist. Throws FileError.
+void make_folder(const std::filesystem::path& folder);
+
 }  // namespace floe::io

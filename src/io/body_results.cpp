@@ -53,7 +53,7 @@ std::string BodyResults::body_name() const {
 BodyResults body_results(const StoredRun& run, plate::DofSet set) {
   const plate::DryModes modes = run.modes();
   BodyResults results;
-  results.dofs = plate::body_dofs(run.mode_mesh(), modes, run.data().plate, set);
+  results.dofs = plate::body_dofs(run.mode_mesh(), modes, set);
   results.heading_deg = run.data().heading_deg;
   results.loss_factor = run.data().plate.loss_factor;
   results.structural_stiffness = results.dofs.stiffness.asDiagonal();

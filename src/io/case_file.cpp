@@ -42,9 +42,14 @@ void require_sections(const Section& root) {
     root.require(name, fmt::format("a section [{}] is required", name));
 }
 
-// The direct route has no modes, from which the seas are integrated
+// The direct route has no modes, from which the seas are integrated; and its preconditioner and
+// bounds are those of a plate by its properties
 void require_route(const Section& root, const Case& data) {
   if (data.route == SolverRoute::kModal) return;
+  if (data.structure)
+    root.source().refuse(root.table("plate", plate_keys()).find("structure")->source(),
+                         "invalid plate.structure with solver.route = \"direct\" (a structure of "
+                         "another program needs solver.route = \"modal\")");
   for (const char* section : {"sea", "sea_grid"})
     if (const toml::node* found = root.find(section))
       root.source().refuse(found->source(),
@@ -114,7 +119,7 @@ CaseFile read_case_text(const std::string& text, const std::string& name,
   file.data.text = text;
   file.data.title = read_title(root);
   read_water(root, file.data);
-  read_plate(root, file.data);
+  read_plate(root, folder, file.data);
   read_meshes(root, folder, file.data);
   read_modes(root, file.data);
   read_waves(root, file.data);

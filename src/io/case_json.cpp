@@ -13,16 +13,28 @@ using Json = nlohmann::ordered_json;
 
 Json json_of(const Point2& point) { return Json::array({point.x(), point.y()}); }
 
-Json json_of(const MeshSource& source) {
-  if (const auto* file = std::get_if<std::filesystem::path>(&source))
-    return {{"file", file->string()}};
-  const auto& r = std::get<mesh::RectangleOptions>(source);
+Json shape_json(const std::filesystem::path& file) { return {{"file", file.string()}}; }
+
+Json shape_json(const mesh::RectangleOptions& r) {
   return {{"rectangle",
            {{"length", r.length},
             {"width", r.width},
             {"nx", r.nx},
             {"ny", r.ny},
             {"grading", r.grading}}}};
+}
+
+template <typename Shape>
+Json shape_json(const Shape& shape) {
+  const mesh::ShapeKeys<Shape> keys = mesh::shape_keys(shape);
+  Json sizes;
+  for (const auto& length : keys.lengths) sizes[length.key] = shape.*length.member;
+  for (const auto& count : keys.counts) sizes[count.key] = shape.*count.member;
+  return {{keys.name, sizes}};
+}
+
+Json json_of(const MeshSource& source) {
+  return std::visit([](const auto& shape) { return shape_json(shape); }, source);
 }
 
 Json json_of(const std::vector<NamedPoint>& points) {
@@ -89,8 +101,22 @@ Json seas_json(const Case& data) {
 
 Point2 point_from(const Json& json) { return {json.at(0).get<double>(), json.at(1).get<double>()}; }
 
+template <typename Shape>
+MeshSource shape_from(const Json& json) {
+  Shape shape;
+  const mesh::ShapeKeys<Shape> keys = mesh::shape_keys(shape);
+  const Json& sizes = json.at(keys.name);
+  for (const auto& length : keys.lengths) sizes.at(length.key).get_to(shape.*length.member);
+  for (const auto& count : keys.counts) sizes.at(count.key).get_to(shape.*count.member);
+  return shape;
+}
+
 MeshSource mesh_source_from(const Json& json) {
   if (json.contains("file")) return std::filesystem::path(json.at("file").get<std::string>());
+  if (json.contains("disc")) return shape_from<mesh::DiscOptions>(json);
+  if (json.contains("ring")) return shape_from<mesh::RingOptions>(json);
+  if (json.contains("lshape")) return shape_from<mesh::LShapeOptions>(json);
+  if (json.contains("modules")) return shape_from<mesh::ModuleArrayOptions>(json);
   const Json& r = json.at("rectangle");
   return mesh::RectangleOptions{.length = r.at("length"),
                                 .width = r.at("width"),
@@ -155,6 +181,14 @@ Case read_case_json(const Json& options) {
                 .density = plate.at("density"),
                 .shear_correction = plate.at("shear_correction"),
                 .loss_factor = plate.at("loss_factor")};
+  for (const Json& region : plate.value("region", Json::array())) {
+    PlateRegion read{region.at("name"), data.plate};
+    read.properties.thickness = region.at("thickness");
+    read.properties.youngs_modulus = region.at("youngs_modulus");
+    read.properties.poisson_ratio = region.at("poisson_ratio");
+    read.properties.density = region.at("density");
+    data.regions.push_back(std::move(read));
+  }
   if (plate.contains("mesh")) data.plate_mesh.push_back(mesh_source_from(plate.at("mesh")));
   data.mesh = mesh_source_from(options.at("mesh"));
   data.mode_count = options.at("modes").at("count");
@@ -185,6 +219,16 @@ Json case_json(const Case& data) {
                 {"density", p.density},
                 {"shear_correction", p.shear_correction},
                 {"loss_factor", p.loss_factor}};
+  if (data.structure) {
+    for (const auto& [key, path] : data.structure->files) plate["structure"][key] = path.string();
+    plate["structure"]["hash"] = data.structure->hash;
+  }
+  for (const PlateRegion& region : data.regions)
+    plate["region"].push_back({{"name", region.name},
+                               {"thickness", region.properties.thickness},
+                               {"youngs_modulus", region.properties.youngs_modulus},
+                               {"poisson_ratio", region.properties.poisson_ratio},
+                               {"density", region.properties.density}});
   if (!data.plate_mesh.empty()) plate["mesh"] = json_of(data.plate_mesh.front());
   const Json depth = std::isinf(data.water.depth) ? Json("inf") : Json(data.water.depth);
   return {{"title", data.title},

@@ -16,9 +16,10 @@ constexpr int kMostElements = 100'000'000;
 
 constexpr NumberRule kPositive(const char* unit) { return {unit, "must be positive", is_positive}; }
 
-std::vector<std::string> plate_keys() {
-  return {"thickness",        "youngs_modulus", "poisson_ratio", "density",
-          "shear_correction", "loss_factor",    "mesh"};
+const std::vector<std::string>& mesh_keys() {
+  static const std::vector<std::string> keys = {"rectangle", "disc",    "ring",
+                                                "lshape",    "modules", "file"};
+  return keys;
 }
 
 mesh::RectangleOptions read_rectangle(const Section& mesh) {
@@ -52,13 +53,36 @@ std::filesystem::path read_mesh_path(const Section& mesh, const std::filesystem:
   return path;
 }
 
+// Any other shape that floe meshes
+template <typename Shape>
+MeshSource read_shape(const Section& mesh) {
+  Shape shape;
+  const mesh::ShapeKeys<Shape> keys = shape_keys(shape);
+  std::vector<std::string> known;
+  for (const auto& length : keys.lengths) known.push_back(length.key);
+  for (const auto& count : keys.counts) known.push_back(count.key);
+  const Section table = mesh.table(keys.name, known);
+  for (const auto& length : keys.lengths)
+    shape.*length.member = table.number(length.key, kPositive("m"));
+  for (const auto& count : keys.counts)
+    shape.*count.member = table.integer(count.key, 1, kMostElements);
+  return shape;
+}
+
 MeshSource read_mesh_source(const Section& mesh, const std::filesystem::path& folder) {
-  const bool rectangle = mesh.find("rectangle"), file = mesh.find("file");
-  if (rectangle == file)
-    mesh.source().refuse(mesh.place(),
-                         fmt::format("{} {} (must hold either rectangle or file)",
-                                     rectangle ? "ambiguous" : "missing", mesh.name()));
-  if (rectangle) return read_rectangle(mesh);
+  std::vector<std::string> given;
+  for (const std::string& key : mesh_keys())
+    if (mesh.find(key)) given.push_back(key);
+  if (given.size() != 1)
+    mesh.source().refuse(mesh.place(), fmt::format("{} {} (must hold one of {})",
+                                                   given.empty() ? "missing" : "ambiguous",
+                                                   mesh.name(), fmt::join(mesh_keys(), ", ")));
+  const std::string& key = given.front();
+  if (key == "rectangle") return read_rectangle(mesh);
+  if (key == "disc") return read_shape<mesh::DiscOptions>(mesh);
+  if (key == "ring") return read_shape<mesh::RingOptions>(mesh);
+  if (key == "lshape") return read_shape<mesh::LShapeOptions>(mesh);
+  if (key == "modules") return read_shape<mesh::ModuleArrayOptions>(mesh);
   return read_mesh_path(mesh, folder);
 }
 
@@ -75,33 +99,11 @@ void read_water(const Section& root, Case& data) {
   data.water.gravity = water.number_or("gravity", kPositive("m/s²"), data.water.gravity);
 }
 
-void read_plate(const Section& root, Case& data) {
-  const Section plate = root.table("plate", plate_keys());
-  const NumberRule poisson{"", "must be greater than -1 and less than 0.5",
-                           [](double x) { return x > -1.0 && x < 0.5; }};
-  const NumberRule correction{"", "must be greater than 0 and at most 1",
-                              [](double x) { return x > 0.0 && x <= 1.0; }};
-  const NumberRule loss{"", "must be 0 to 1", [](double x) { return x >= 0.0 && x <= 1.0; }};
-  auto& p = data.plate;
-  p.thickness = plate.number("thickness", kPositive("m"));
-  p.youngs_modulus = plate.number("youngs_modulus", kPositive("N/m²"));
-  p.poisson_ratio = plate.number("poisson_ratio", poisson);
-  p.density = plate.number("density", kPositive("kg/m³"));
-  p.shear_correction = plate.number_or("shear_correction", correction, p.shear_correction);
-  p.loss_factor = plate.number_or("loss_factor", loss, p.loss_factor);
-  if (p.density >= data.water.density)
-    plate.source().refuse(
-        plate.find("density")->source(),
-        fmt::format("invalid plate.density = {} kg/m³ (must be less than water.density = {} "
-                    "kg/m³, or the plate sinks)",
-                    p.density, data.water.density));
-}
-
 void read_meshes(const Section& root, const std::filesystem::path& folder, Case& data) {
-  data.mesh = read_mesh_source(root.table("mesh", {"rectangle", "file"}), folder);
+  data.mesh = read_mesh_source(root.table("mesh", mesh_keys()), folder);
   const Section plate = root.table("plate", plate_keys());
   if (!plate.find("mesh")) return;
-  data.plate_mesh = {read_mesh_source(plate.table("mesh", {"rectangle", "file"}), folder)};
+  data.plate_mesh = {read_mesh_source(plate.table("mesh", mesh_keys()), folder)};
 }
 
 void read_modes(const Section& root, Case& data) {

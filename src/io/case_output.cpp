@@ -1,6 +1,7 @@
 #include "io/case_sections.hpp"
 
 #include <floe/io/case_file.hpp>
+#include <floe/response/modal_basis.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -33,7 +34,8 @@ std::vector<NamedPoint> read_points(const Section& output, const std::string& ke
   for (const toml::key* name : keys_in_file_order(table)) {
     const std::string full = output.full_name(key) + "." + std::string(name->str());
     const auto [x, y] = checked_point(*table.get(name->str()), full, output.source());
-    points.push_back({std::string(name->str()), Point2(x, y)});
+    points.push_back({std::string(name->str()), Point2(x, y),
+                      output.source().place(table.get(name->str())->source())});
   }
   return points;
 }
@@ -53,7 +55,7 @@ std::vector<NamedLine> read_lines(const Section& output) {
     const auto to =
         checked_point(line.require("to", required), line.full_name("to"), line.source());
     lines.push_back({name, Point2(from.first, from.second), Point2(to.first, to.second),
-                     line.integer("count", 2, kMostStations)});
+                     line.integer("count", 2, kMostStations), line.source().place(line.place())});
     if (lines.back().from == lines.back().to)
       line.source().refuse(
           line.find("to")->source(),
@@ -93,6 +95,18 @@ std::vector<response::Quantity> read_quantities(const Section& output) {
           fmt::format("{}: {} given twice, once dropped", full, shown(element)));
   }
   return quantities;
+}
+
+// Nothing is known of the inside of a structure that another program has made
+void refuse_section_forces(const Section& output,
+                           const std::vector<response::Quantity>& quantities) {
+  for (const response::Quantity quantity : quantities)
+    if (response::is_section_force(quantity))
+      output.source().refuse(
+          output.find("quantities")->source(),
+          fmt::format("invalid {} = {} (must follow from deflections or pressures: plate.structure "
+                      "tells nothing of forces and stresses within the plate)",
+                      output.full_name("quantities"), response::name(quantity)));
 }
 
 // The value of `list` that `value` means, to rounding of a converted number
@@ -168,6 +182,7 @@ void read_output(const Section& root, Case& data) {
   data.lines = read_lines(output);
   data.wave_points = read_points(output, "wave_points");
   if (output.find("quantities")) data.quantities = read_quantities(output);
+  if (data.structure) refuse_section_forces(output, data.quantities);
   read_relations(output, data);
   if (output.find("fields")) data.fields = read_fields(output, data);
 }

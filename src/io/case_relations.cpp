@@ -1,6 +1,7 @@
 #include "io/case_sections.hpp"
 
 #include <floe/io/case_file.hpp>
+#include <floe/response/stations.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -95,13 +96,31 @@ std::vector<CombinationTerm> read_terms(const Section& combination, const Names&
   return terms;
 }
 
+// Of the plate at every point; by the regions of its mesh where there are any
+std::vector<double> thickness_at_points(const Case& data) {
+  std::vector<double> thickness(data.points.size(), data.plate.thickness);
+  if (data.regions.empty()) return thickness;
+  const mesh::MeshFile file = load_mesh(plate_source(data));
+  const plate::PlateRegions regions = plate_regions(data, file.mesh.element_count(), file.groups);
+  Points2 positions(2, std::ssize(data.points));
+  std::vector<std::string> names;
+  for (const NamedPoint& point : data.points) {
+    positions.col(std::ssize(names)) = point.position;
+    names.push_back(point.name);
+  }
+  const std::vector<Index> elements = response::elements_at(file.mesh, positions, names);
+  for (std::size_t i = 0; i < thickness.size(); ++i)
+    thickness[i] = regions.of(elements[i]).thickness;
+  return thickness;
+}
+
 // σx, σy and τ = 6 Mxy / t² at the upper side of a point
 std::vector<CombinationTerm> von_mises_terms(const Section& combination, const Names& names,
                                              const Case& data) {
   const toml::node& node = *combination.find("von_mises");
   const std::string full = combination.full_name("von_mises");
   const std::size_t point = names.point(node, full);
-  const double thickness = data.plate.thickness;
+  const double thickness = thickness_at_points(data)[point];
   std::vector<CombinationTerm> terms;
   for (const auto& [quantity, factor] :
        {std::pair{response::Quantity::kSurfaceStressX, 1.0},

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <sstream>
 
 namespace floe::io {
 namespace {
@@ -149,6 +150,12 @@ std::vector<wave::SeaState> read_sea_states(const Section& root,
 void read_seas(const Section& root, const std::filesystem::path& folder, Case& data) {
   read_sea_grid(root, data);
   data.seas = read_sea_states(root, folder);
+  if (const toml::node* node = root.find("sea")) {
+    std::ostringstream text;
+    text << toml::default_formatter(*node);
+    data.sea_text = text.str();
+  }
+  data.sea_files = root.source().files;
 }
 
 }  // namespace floe::io

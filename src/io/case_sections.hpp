@@ -11,7 +11,9 @@
 namespace floe::io {
 
 void read_water(const Section& root, Case& data);
-void read_plate(const Section& root, Case& data);  ///< needs the water
+/// Needs the water; paths are taken from `folder`.
+void read_plate(const Section& root, const std::filesystem::path& folder, Case& data);
+std::vector<std::string> plate_keys();
 /// `[mesh]`, and `[plate] mesh` if given; paths are taken from `folder`.
 void read_meshes(const Section& root, const std::filesystem::path& folder, Case& data);
 void read_modes(const Section& root, Case& data);

@@ -132,6 +132,7 @@ void read_measured(const Section& sea, const std::filesystem::path& folder, wave
   }
   for (const std::string& notice : measured.notices)
     sea.source().notices.push_back(fmt::format("sea {}: {}", state.name, notice));
+  sea.source().files[sea.full_name("file")] = path;
   state.description = measured.description;
 
   // Its directions, or those that the case gives to a spectrum without any

@@ -1,4 +1,3 @@
-#include "io/atomic_file.hpp"
 #include "io/netcdf_parts.hpp"
 
 #include <floe/io/interchange.hpp>
@@ -85,8 +84,7 @@ std::vector<double> split_complex(const std::vector<MatXcd>& matrices) {
 
 void write_netcdf(const StoredRun& run, const std::filesystem::path& path, plate::DofSet dofs) {
   const BodyResults results = body_results(run, dofs);
-  PendingFile pending(path);
-  NetcdfFile file = NetcdfFile::create(pending.temporary());
+  NetcdfFile file = NetcdfFile::create(path);
   add_account(file, run, results);
   add_coordinates(file, run, results);
   add_hydrodynamics(file, results);
@@ -97,7 +95,6 @@ void write_netcdf(const StoredRun& run, const std::filesystem::path& path, plate
     add_seas(file, run);
   }
   file.close();
-  pending.commit();
 }
 
 }  // namespace floe::io

@@ -3,20 +3,42 @@
 #include <floe/numeric/error.hpp>
 
 #include <netcdf.h>
+#include <netcdf_mem.h>
 
 #include <algorithm>
-#include <cerrno>
+#include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <functional>
 #include <limits>
+#include <new>
 #include <numeric>
+#include <string_view>
 #include <utility>
 
 namespace floe::io {
 namespace {
 
 constexpr int kClosed = -1;
+constexpr std::size_t kFirstSize = std::size_t{1} << 12;  // [byte], a file is never smaller
 constexpr int kDeflateLevel = 1;  // higher ones take twice the time for a few per cent
+
+// An image in memory is rounded up to whole blocks; HDF5's superblock tells where the file ends
+// (HDF5 File Format Specification 3.0, II.A: version 0 at byte 40, 1 at 44, 2 and 3 at 28)
+std::size_t used_size(std::string_view image) {
+  constexpr std::size_t kVersion = 8, kSuperblock = 96;
+  if (image.size() < kSuperblock) return image.size();
+  const unsigned char version = static_cast<unsigned char>(image[kVersion]);
+  if (version > 3) return image.size();
+  const std::size_t at = version == 0 ? 40 : version == 1 ? 44 : 28;
+  std::uint64_t end = 0;
+  std::memcpy(&end, image.data() + at, sizeof(end));
+  return end >= kSuperblock && end <= image.size() ? static_cast<std::size_t>(end) : image.size();
+}
+
+[[noreturn]] void fail_to_write(const std::filesystem::path& path, const std::string& why) {
+  throw FileError("cannot write " + path.string() + ": " + why);
+}
 
 [[noreturn]] void fail_to_read(const std::filesystem::path& path, const std::string& why) {
   throw DataError("cannot read " + path.string() + ": " + why);
@@ -39,13 +61,24 @@ NetcdfFile::NetcdfFile(std::filesystem::path path, Mode mode, int id)
     : path_(std::move(path)), mode_(mode), id_(id) {}
 
 NetcdfFile NetcdfFile::create(const std::filesystem::path& path) {
+  auto output = std::make_unique<AtomicFile>(path);
   int id = kClosed;
-  const int status = nc_create(path.c_str(), NC_NETCDF4 | NC_CLOBBER, &id);
-  if (status != NC_NOERR)
-    throw FileError("cannot write " + path.string() + ": " + nc_strerror(status));
+  const int status = nc_create_mem(path.c_str(), NC_NETCDF4, kFirstSize, &id);
+  if (status != NC_NOERR) fail_to_write(path, nc_strerror(status));
   NetcdfFile file(path, Mode::kWrite, id);
+  file.output_ = std::move(output);
   int earlier = 0;
   file.check(nc_set_fill(id, NC_NOFILL, &earlier));  // every variable is written in full
+  return file;
+}
+
+NetcdfFile NetcdfFile::create_classic(const std::filesystem::path& path) {
+  int id = kClosed;
+  const int status = nc_create(path.c_str(), NC_64BIT_DATA | NC_CLOBBER, &id);
+  if (status != NC_NOERR) fail_to_write(path, nc_strerror(status));
+  NetcdfFile file(path, Mode::kWriteClassic, id);
+  int earlier = 0;
+  file.check(nc_set_fill(id, NC_NOFILL, &earlier));
   return file;
 }
 
@@ -57,23 +90,46 @@ NetcdfFile NetcdfFile::open(const std::filesystem::path& path) {
 }
 
 NetcdfFile::NetcdfFile(NetcdfFile&& other) noexcept
-    : path_(std::move(other.path_)), mode_(other.mode_), id_(std::exchange(other.id_, kClosed)) {}
+    : path_(std::move(other.path_)),
+      mode_(other.mode_),
+      id_(std::exchange(other.id_, kClosed)),
+      describing_(other.describing_),
+      output_(std::move(other.output_)) {}
 
 NetcdfFile::~NetcdfFile() {
   if (id_ != kClosed) nc_close(id_);
 }
 
-void NetcdfFile::close() { check(nc_close(std::exchange(id_, kClosed))); }
+void NetcdfFile::close() {
+  const int id = std::exchange(id_, kClosed);
+  if (mode_ != Mode::kWrite) {
+    check(nc_close(id));
+    return;
+  }
+  NC_memio made{};
+  check(nc_close_memio(id, &made));
+  const std::unique_ptr<void, decltype(&std::free)> memory(made.memory, &std::free);
+  const std::string_view image(static_cast<const char*>(made.memory), made.size);
+  output_->write(image.substr(0, used_size(image)));
+  output_->commit();
+  output_.reset();
+}
 
 void NetcdfFile::check(int status, const std::string& what) const {
   if (status == NC_NOERR) return;
-  const int system_error = errno;  // what HDF5 met, if it was the file system
   std::string why = (what.empty() ? "" : what + ": ") + nc_strerror(status);
   if (mode_ == Mode::kRead) fail_to_read(path_, why);
-  for (const int known : {ENOSPC, EDQUOT, EFBIG, EIO, EROFS})
-    if (status == NC_EHDFERR && system_error == known)
-      why += std::string(" (") + std::strerror(known) + ")";
-  throw FileError("cannot write " + path_.string() + ": " + why);
+  if (status == NC_ENOMEM) throw std::bad_alloc();
+  fail_to_write(path_, why);
+}
+
+// A classic file is opened for a new name, and closed for values
+void NetcdfFile::describe() {
+  if (mode_ == Mode::kWriteClassic && !std::exchange(describing_, true)) check(nc_redef(id_));
+}
+
+void NetcdfFile::fill() {
+  if (mode_ == Mode::kWriteClassic && std::exchange(describing_, false)) check(nc_enddef(id_));
 }
 
 int NetcdfFile::variable_id(const std::string& name) const {
@@ -103,21 +159,25 @@ std::size_t NetcdfFile::length_of(const std::vector<int>& dimensions) const {
 
 void NetcdfFile::add_dimension(const std::string& name, std::size_t length) {
   FLOE_EXPECT(length > 0);  // zero would mean unlimited
+  describe();
   int dimension = 0;
   check(nc_def_dim(id_, name.c_str(), length, &dimension), name);
 }
 
 void NetcdfFile::add_attribute(const std::string& variable, const std::string& name,
                                const std::string& text) {
+  describe();
   check(nc_put_att_text(id_, variable_id(variable), name.c_str(), text.size(), text.data()), name);
 }
 
 void NetcdfFile::add_attribute(const std::string& variable, const std::string& name, double value) {
+  describe();
   check(nc_put_att_double(id_, variable_id(variable), name.c_str(), NC_DOUBLE, 1, &value), name);
 }
 
 int NetcdfFile::define(const std::string& name, int type, const std::vector<int>& dimensions,
                        Compression compression) {
+  describe();
   int variable = 0;
   check(nc_def_var(id_, name.c_str(), type, static_cast<int>(dimensions.size()), dimensions.data(),
                    &variable),
@@ -132,6 +192,7 @@ void NetcdfFile::add_numbers(const std::string& name, const std::vector<std::str
   const std::vector<int> ids = dimension_ids(dimensions);
   FLOE_EXPECT(length_of(ids) == values.size());
   const int variable = define(name, NC_DOUBLE, ids, compression);
+  fill();
   check(nc_put_var_double(id_, variable, values.data()), name);
 }
 
@@ -140,6 +201,7 @@ void NetcdfFile::add_integers(const std::string& name, const std::vector<std::st
   const std::vector<int> ids = dimension_ids(dimensions);
   FLOE_EXPECT(length_of(ids) == values.size());
   const int variable = define(name, NC_INT, ids, Compression::kNone);
+  fill();
   check(nc_put_var_int(id_, variable, values.data()), name);
 }
 
@@ -153,6 +215,7 @@ void NetcdfFile::add_texts(const std::string& name, const std::vector<std::strin
   // The dimension of this length is shared
   const std::string length_name = "string" + std::to_string(longest);
   int length = 0;
+  describe();
   if (nc_inq_dimid(id_, length_name.c_str(), &length) != NC_NOERR)
     check(nc_def_dim(id_, length_name.c_str(), longest, &length), length_name);
   ids.push_back(length);
@@ -164,13 +227,17 @@ void NetcdfFile::add_texts(const std::string& name, const std::vector<std::strin
     value.resize(longest, '\0');
     bytes += value;
   }
+  fill();
   check(nc_put_var_text(id_, variable, bytes.data()), name);
 }
 
 void NetcdfFile::define_parts(const std::string& name, const std::vector<std::string>& dimensions,
                               std::size_t split) {
   const std::vector<int> ids = dimension_ids(dimensions);
-  const int variable = define(name, NC_DOUBLE, ids, Compression::kDeflate);
+  const bool classic = mode_ == Mode::kWriteClassic;
+  const int variable =
+      define(name, NC_DOUBLE, ids, classic ? Compression::kNone : Compression::kDeflate);
+  if (classic) return;
   std::vector<std::size_t> chunk(ids.size(), 1);
   for (std::size_t i = split; i < ids.size(); ++i) chunk[i] = length_of({ids[i]});
   check(nc_def_var_chunking(id_, variable, NC_CHUNKED, chunk.data()), name);
@@ -179,6 +246,7 @@ void NetcdfFile::define_parts(const std::string& name, const std::vector<std::st
 void NetcdfFile::put_part(const std::string& name, const std::vector<std::size_t>& start,
                           const std::vector<std::size_t>& count, std::span<const double> values) {
   FLOE_EXPECT(product(count) == values.size());
+  fill();
   check(nc_put_vara_double(id_, variable_id(name), start.data(), count.data(), values.data()),
         name);
 }

@@ -1,7 +1,10 @@
 #pragma once
 
+#include "io/atomic_file.hpp"
+
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,15 +15,19 @@ namespace floe::io {
 /// Whether a variable is stored deflated (lossless).
 enum class Compression { kNone, kDeflate };
 
-/// A netCDF file: NETCDF4 when written, any kind when read. Closed by the destructor; after writing
-/// call `close`, which tells whether everything arrived. Numbers are doubles whatever the file has;
+/// A netCDF file: NETCDF4 or of the 64-bit classic kind when written, any kind when read. Closed by
+/// the destructor; after writing call `close`, which tells whether everything arrived. Numbers are
+/// doubles whatever the file has;
 /// texts are arrays of characters, the last dimension their length, in UTF-8.
 /// Every return code of the library is looked at: what goes wrong while writing throws FileError,
 /// while reading DataError, with the file's name and the library's words.
 class NetcdfFile final {
  public:
-  /// A new file; what has this name is overwritten.
+  /// A new NETCDF4 file, made in memory and written when it is closed, as AtomicFile does.
+  /// NOTE: HDF5 must not meet a full disk, it would try again when the process ends, and crash.
   static NetcdfFile create(const std::filesystem::path& path);
+  /// A new file that grows on the disk, without compression; what has this name is overwritten.
+  static NetcdfFile create_classic(const std::filesystem::path& path);
   /// An existing file, to read. Also throws DataError when it is no netCDF file.
   static NetcdfFile open(const std::filesystem::path& path);
   ~NetcdfFile();
@@ -44,8 +51,8 @@ class NetcdfFile final {
   /// Characters (values…, stringN) with N the longest length, attribute `_Encoding` = utf-8.
   void add_texts(const std::string& name, const std::vector<std::string>& dimensions,
                  const std::vector<std::string>& values);
-  /// A deflated variable that is filled part by part, a part for each place of the first `split`
-  /// dimensions.
+  /// A variable, deflated where the file can, that is filled part by part, a part for each place of
+  /// the first `split` dimensions.
   void define_parts(const std::string& name, const std::vector<std::string>& dimensions,
                     std::size_t split);
   void put_part(const std::string& name, const std::vector<std::size_t>& start,
@@ -77,11 +84,13 @@ class NetcdfFile final {
                                          const std::string& name) const;
 
  private:
-  enum class Mode { kWrite, kRead };
+  enum class Mode { kWrite, kWriteClassic, kRead };
   NetcdfFile(std::filesystem::path path, Mode mode, int id);
   void check(int status, const std::string& what = "") const;
   int variable_id(const std::string& name) const;
   std::vector<int> dimension_ids(const std::vector<std::string>& names) const;
+  void describe();
+  void fill();
   int define(const std::string& name, int type, const std::vector<int>& dimensions,
              Compression compression);
   std::size_t length_of(const std::vector<int>& dimensions) const;
@@ -90,6 +99,8 @@ class NetcdfFile final {
   std::filesystem::path path_;
   Mode mode_;
   int id_;
+  bool describing_ = true;              // a classic file is either described or filled
+  std::unique_ptr<AtomicFile> output_;  // of what is made in memory
 };
 
 }  // namespace floe::io

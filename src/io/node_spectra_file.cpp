@@ -10,7 +10,7 @@ namespace floe::io {
 NodeSpectraFile::NodeSpectraFile(const std::filesystem::path& folder, const mesh::Q8Mesh& mesh,
                                  const std::vector<wave::SeaState>& seas,
                                  const std::vector<double>& omega)
-    : pending_(folder / kName), file_(NetcdfFile::create(pending_.temporary())) {
+    : pending_(folder / kName), file_(NetcdfFile::create_classic(pending_.temporary())) {
   std::vector<std::string> names;
   std::vector<double> headings;
   for (const wave::SeaState& sea : seas)

@@ -1,20 +1,29 @@
 #include "io/output_directory.hpp"
 
+#include "io/manifest.hpp"
+#include "io/product_names.hpp"
+#include "io/record_names.hpp"
 #include "io/run_json.hpp"
 
 #include <floe/numeric/error.hpp>
 
 #include <fcntl.h>
+#include <fmt/chrono.h>
+#include <fmt/format.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/statvfs.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
+#include <ctime>
 #include <map>
 #include <set>
+#include <thread>
 #include <utility>
 
 namespace floe::io {
@@ -58,19 +67,13 @@ bool is_leftover_of(const std::string& name, const std::set<std::string>& produc
 
 }  // namespace
 
-const std::vector<std::string>& product_names() {
-  static const std::vector<std::string> names = {"dry_modes.csv",      "rao_points.csv",
-                                                 "rao_lines.csv",      "rao_quantities.csv",
-                                                 "wave_points.csv",    "hydro_coefficients.csv",
-                                                 "exciting_force.csv", "fields.pvd",
-                                                 "result.nc",          "run.json"};
-  return names;
-}
-
-const std::vector<std::string>& modal_product_names() {
-  static const std::vector<std::string> names = {"dry_modes.csv", "hydro_coefficients.csv",
-                                                 "exciting_force.csv", "result.nc"};
-  return names;
+std::string holder_of(const std::filesystem::path& directory) {
+  const int lock = ::open((directory / kLockName).c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
+  if (lock < 0) return "";
+  const bool held = ::flock(lock, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  const std::string who = held ? holder(lock) : "";
+  ::close(lock);
+  return held && who.empty() ? "another process" : who;
 }
 
 OutputDirectory::OutputDirectory(std::filesystem::path path, Existing existing)
@@ -108,15 +111,21 @@ void OutputDirectory::make() {
 void OutputDirectory::lock() {
   const std::filesystem::path name = path_ / kLockName;
   // A lock file that is removed between opening and locking is no lock: open the next one
+  int looked = 0;
   for (int attempt = 0; attempt < 100; ++attempt) {
     lock_ = ::open(name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
     if (lock_ < 0) refuse_writing(path_, errno);
     // NOTE: a file system without locks cannot tell a second run; the first goes on without
-    const bool without = ::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno != EWOULDBLOCK;
-    const bool busy = !without && ::flock(lock_, LOCK_EX | LOCK_NB) != 0;
+    locks_ = ::flock(lock_, LOCK_EX | LOCK_NB) == 0 || errno == EWOULDBLOCK;
+    const bool busy = locks_ && ::flock(lock_, LOCK_EX | LOCK_NB) != 0;
     if (busy) {
       const std::string who = holder(lock_);
       ::close(std::exchange(lock_, -1));
+      // NOTE: floe status holds it for an instant, too
+      if (++looked < 4) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        continue;
+      }
       throw BusyError("another run holds " + path_.string() +
                       (who.empty() ? "" : " (" + who + ")"));
     }
@@ -126,28 +135,61 @@ void OutputDirectory::lock() {
   if (lock_ < 0) throw BusyError("other runs hold " + path_.string());
   std::array<char, 65> host{};
   ::gethostname(host.data(), host.size() - 1);
-  const std::string text =
-      "process " + std::to_string(::getpid()) + " on " + std::string(host.data()) + "\n";
+  const std::string text = fmt::format("process {} on {} since {:%Y-%m-%d %H:%M:%S} UTC\n",
+                                       ::getpid(), host.data(), fmt::gmtime(std::time(nullptr)));
   if (::ftruncate(lock_, 0) != 0 || ::write(lock_, text.data(), text.size()) < 0)
     refuse_writing(path_ / kLockName, errno);
 }
 
 void OutputDirectory::look_at_content(Existing existing) {
-  const std::filesystem::path account = path_ / "run.json";
-  const bool holds_run = std::filesystem::exists(std::filesystem::symlink_status(account));
-  if (holds_run) {
+  const auto holds = [&](const std::string& name) {
+    return std::filesystem::exists(std::filesystem::symlink_status(path_ / name));
+  };
+  const bool manifest = holds(kManifest), account = holds("run.json");
+  if (manifest || account || !records_in(path_).empty()) {
     FLOE_VALIDATE_AS(StoreError, existing != Existing::kRefuse,
                      path_.string() << " holds a result already (give --resume to go on with it, "
                                        "--fresh to replace it, or another directory with -o)");
-    earlier_files_ = files_of_run(account);
+    // NOTE: a run that was killed before its first record left an account only, as one that runs
+    const bool begun =
+        !manifest && records_in(path_).empty() && status_of_run(path_ / "run.json") == kRunning;
+    if (existing == Existing::kResume && !begun) static_cast<void>(read_manifest(path_));
+    earlier_files_ = files_of_earlier_run();
     return;
   }
   for (const std::string& name : product_names())
     FLOE_VALIDATE_AS(
-        StoreError, !std::filesystem::exists(std::filesystem::symlink_status(path_ / name)),
+        StoreError, !holds(name),
         path_.string() << " holds a file " << name
                        << " that no run lists as its own, so --fresh would not replace it (remove "
                           "it, or give another directory with -o)");
+}
+
+// As the account lists them, or else as the manifest implies
+std::vector<std::string> OutputDirectory::files_of_earlier_run() const {
+  try {
+    return files_of_run(path_ / "run.json");
+  } catch (const StoreError&) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(path_ / kManifest, ignored)) throw;
+  }
+  return files_of_manifest(path_);
+}
+
+double OutputDirectory::free_space() const {
+  struct statvfs status {};
+  if (::statvfs(path_.c_str(), &status) != 0) refuse_writing(path_, errno);
+  return static_cast<double>(status.f_bavail) * static_cast<double>(status.f_frsize);
+}
+
+double OutputDirectory::record_size() const {
+  double bytes = 0.0;
+  for (const std::string& name : records_in(path_)) {
+    std::error_code gone;
+    const std::uintmax_t size = std::filesystem::file_size(path_ / name, gone);
+    if (!gone) bytes += static_cast<double>(size);
+  }
+  return bytes;
 }
 
 void OutputDirectory::clear_earlier_run() {
@@ -155,6 +197,9 @@ void OutputDirectory::clear_earlier_run() {
     for (const char* file : {"report.html", "result_rigid.nc", "result_all.nc", "result.1",
                              "result.3", "result.3fk", "result.3sc", "result.4", "result.hst"})
       earlier_files_.emplace_back(file);
+  for (const std::string& name : records_in(path_))  // set aside, or left by a run without account
+    if (std::find(earlier_files_.begin(), earlier_files_.end(), name) == earlier_files_.end())
+      earlier_files_.push_back(name);
   remove(std::exchange(earlier_files_, {}));
 }
 
@@ -162,20 +207,29 @@ void OutputDirectory::clear_leftovers() { remove_leftovers(std::exchange(earlier
 
 void OutputDirectory::remove(const std::vector<std::string>& files) const {
   std::error_code ignored;
-  for (const std::string& file : files) {
-    if (!is_inside(file)) continue;
+  const auto erase = [&](const std::string& file) {
+    if (!is_inside(file)) return;
     const std::filesystem::path target = path_ / file;
     if (!std::filesystem::is_directory(std::filesystem::symlink_status(target, ignored)))
       std::filesystem::remove(target, ignored);
-  }
+  };
+  // What tells whose the files are goes last, so that a kill on the way leaves nothing unknown
   remove_leftovers(files);
+  const std::set<std::string> last = {kManifest, "run.json"};
+  for (const std::string& file : files)
+    if (!last.contains(file)) erase(file);
+  for (const std::string& file : last)
+    if (std::find(files.begin(), files.end(), file) != files.end()) erase(file);
   // Removed only when nothing else is in them
-  for (const char* folder : {"fields", "records"}) ::rmdir((path_ / folder).c_str());
+  for (const std::string& folder : {std::string("fields"), kBadRecords, kRecords})
+    ::rmdir((path_ / folder).c_str());
 }
 
 // What a killed run left beside the names of these files
 void OutputDirectory::remove_leftovers(const std::vector<std::string>& files) const {
   std::map<std::filesystem::path, std::set<std::string>> products;  // by folder
+  // NOTE: one that was killed at its first file has listed nothing yet
+  products[path_].insert(product_names().begin(), product_names().end());
   for (const std::string& file : files)
     if (is_inside(file))
       products[(path_ / file).parent_path()].insert((path_ / file).filename().string());

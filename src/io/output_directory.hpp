@@ -18,6 +18,11 @@ class OutputDirectory final {
   OutputDirectory& operator=(const OutputDirectory&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
+  /// Whether its file system can keep a second run out.
+  bool locks() const { return locks_; }
+  /// What is free on its disk for this user, and what its records take already [byte].
+  double free_space() const;
+  double record_size() const;
 
   /// Deletes the files of the earlier run that is to be replaced, if there is one.
   void clear_earlier_run();
@@ -31,17 +36,16 @@ class OutputDirectory final {
   void lock();
   void remove_leftovers(const std::vector<std::string>& files) const;
   void look_at_content(Existing existing);
+  std::vector<std::string> files_of_earlier_run() const;
 
   std::filesystem::path path_;
   bool made_ = false;
   int lock_ = -1;
+  bool locks_ = true;
   std::vector<std::string> earlier_files_;
 };
 
-/// Names of all tables and indices that a run writes at the top of its directory.
-const std::vector<std::string>& product_names();
-
-/// Those of them that hold modes; a run by the direct route leaves them out.
-const std::vector<std::string>& modal_product_names();
+/// Who holds the directory for a run, "process 12 on host"; "" if nobody does.
+std::string holder_of(const std::filesystem::path& directory);
 
 }  // namespace floe::io

@@ -18,14 +18,22 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "records are written little-endian");
 
 constexpr std::string_view kMagic = "floe-rec";
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 constexpr std::uint32_t kByteOrder = 0x01020304;
-constexpr std::size_t kHeader = 8 + 4 + 4 + 8 + 16;
+// Of any version: magic, version, byte order and length of the payload, then the checksum of these
+// and of the payload
+constexpr std::size_t kBeforeChecksum = 8 + 4 + 4 + 8;
+constexpr std::size_t kHeader = kBeforeChecksum + 16;
 constexpr std::uintmax_t kLargestRecord = std::uintmax_t{1} << 40;
 
 template <typename Number>
 void append(std::string& bytes, Number value) {
   bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+XXH128_hash_t checksum(std::string_view before, std::string_view payload) {
+  const XXH128_hash_t first = XXH3_128bits(before.data(), before.size());
+  return XXH3_128bits_withSeed(payload.data(), payload.size(), first.low64 ^ first.high64);
 }
 
 // Takes values off the front of a text; what is not there throws
@@ -49,7 +57,7 @@ class Reader {
   std::size_t left() const { return rest_.size(); }
   [[noreturn]] void fail(const std::string& how) const {
     throw StoreError("record " + path_.string() + " " + how +
-                     " (run the case again; --fresh replaces the results)");
+                     " (floe run --resume computes it again)");
   }
 
  private:
@@ -116,6 +124,25 @@ double Record::number(const std::string& name) const {
 
 std::string Record::text(const std::string& name) const { return entry(name, Kind::kText).bytes; }
 
+std::string Record::not_finite() const {
+  for (const auto& [name, entry] : entries_) {
+    if (entry.kind == Kind::kText) continue;
+    const VecXd numbers =
+        matrix_of<VecXd>(entry.bytes, static_cast<Index>(entry.bytes.size() / sizeof(double)), 1);
+    if (!numbers.allFinite()) return name;
+  }
+  return "";
+}
+
+bool Record::same_as(const Record& other, const std::vector<std::string>& ignored) const {
+  Record a = *this, b = other;
+  for (const std::string& name : ignored) {
+    a.entries_.erase(name);
+    b.entries_.erase(name);
+  }
+  return a.entries_ == b.entries_;
+}
+
 std::string Record::payload() const {
   std::string bytes;
   for (const auto& [name, entry] : entries_) {
@@ -131,17 +158,17 @@ std::string Record::payload() const {
 
 void Record::write(const std::filesystem::path& path) const {
   const std::string bytes = payload();
-  const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
   std::string header(kMagic);
   append(header, kVersion);
   append(header, kByteOrder);
   append(header, static_cast<std::uint64_t>(bytes.size()));
+  const XXH128_hash_t hash = checksum(header, bytes);
   append(header, hash.low64);
   append(header, hash.high64);
   AtomicFile file(path);
   file.write(header);
   file.write(bytes);
-  file.commit(Sync::kNo);  // a sync takes longer than small cases do
+  file.commit(Sync::kNo);
 }
 
 Record Record::parse(std::string_view payload, const std::filesystem::path& path) {
@@ -176,17 +203,21 @@ Record Record::read(const std::filesystem::path& path) {
   Reader reader(content, path);
   if (content.size() < kHeader || reader.take(kMagic.size()) != kMagic)
     reader.fail("is not one of floe");
-  const auto version = reader.number<std::uint32_t>();
-  if (version != kVersion)
-    reader.fail("has the format version " + std::to_string(version) + ", this floe reads " +
-                std::to_string(kVersion));
-  if (reader.number<std::uint32_t>() != kByteOrder) reader.fail("comes from another machine");
+  const auto version = reader.number<std::uint32_t>(), order = reader.number<std::uint32_t>();
   const auto length = reader.number<std::uint64_t>();
   const auto low = reader.number<std::uint64_t>(), high = reader.number<std::uint64_t>();
   if (length != reader.left()) reader.fail("is cut off");
   const std::string_view payload = reader.take(length);
-  const XXH128_hash_t hash = XXH3_128bits(payload.data(), payload.size());
+  const XXH128_hash_t hash =
+      checksum(std::string_view(content).substr(0, kBeforeChecksum), payload);
   if (hash.low64 != low || hash.high64 != high) reader.fail("is damaged");
+
+  // Whole, but from elsewhere
+  FLOE_VALIDATE_AS(io::RecordVersionError, version == kVersion,
+                   "record " << path.string() << " has the format version " << version
+                             << ", this floe reads " << kVersion
+                             << " (give --fresh to replace the results)");
+  if (order != kByteOrder) reader.fail("comes from another machine");
   return parse(payload, path);
 }
 

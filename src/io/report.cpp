@@ -1,4 +1,5 @@
 #include "io/packed_array.hpp"
+#include "io/report_moments.hpp"
 #include "io/report_template.hpp"
 
 #include <floe/io/report.hpp>
@@ -18,8 +19,16 @@ constexpr double kPageBytes = 5e6;
 constexpr double kBytesPerNumber = 8.0 / 3.0;  // 16 bits in base64
 constexpr Index kMostNodes = 6000;
 
-// Frequencies that the page shows: all, or every n-th where they would not fit
-std::vector<std::size_t> shown_frequencies(const ReportContent& content) {
+// Waves that the page shows, by their places
+struct Shown {
+  std::vector<std::size_t> frequencies, headings;
+};
+
+// All, or every n-th frequency where they would not fit; on the direct route those whose motions
+// are known
+Shown shown_waves(const ReportContent& content) {
+  if (content.data.route == SolverRoute::kDirect)
+    return {content.motions.frequencies, content.motions.headings};
   const auto headings = static_cast<double>(content.data.heading_deg.size());
   Index stations = 0;
   for (const NamedLine& line : content.data.lines) stations += line.count;
@@ -30,30 +39,40 @@ std::vector<std::size_t> shown_frequencies(const ReportContent& content) {
   const double bytes = numbers * kBytesPerNumber * static_cast<double>(content.results.size());
   const auto stride =
       static_cast<std::size_t>(std::max(1.0, std::ceil(bytes / (0.4 * kPageBytes))));
-  std::vector<std::size_t> shown;
-  for (std::size_t i = 0; i < content.results.size(); i += stride) shown.push_back(i);
+  Shown shown;
+  for (std::size_t i = 0; i < content.results.size(); i += stride) shown.frequencies.push_back(i);
+  for (std::size_t b = 0; b < content.data.heading_deg.size(); ++b) shown.headings.push_back(b);
   return shown;
 }
 
+// Shapes of which every shown motion is a sum
+const MatXd& shapes_of(const ReportContent& content) {
+  const bool modal = content.data.route == SolverRoute::kModal;
+  return modal ? content.modes.shape : content.motions.parts;
+}
+
 // Appends rows × headings, headings outermost: [heading][row][re, im]
-void append(const Eigen::Ref<const MatXcd>& values, std::vector<double>& numbers) {
-  for (Index heading = 0; heading < values.cols(); ++heading)
+void append(const Eigen::Ref<const MatXcd>& values, const Shown& shown,
+            std::vector<double>& numbers) {
+  for (const std::size_t heading : shown.headings)
     for (Index row = 0; row < values.rows(); ++row) {
-      numbers.push_back(values(row, heading).real());
-      numbers.push_back(values(row, heading).imag());
+      const Complex value = values(row, static_cast<Index>(heading));
+      numbers.push_back(value.real());
+      numbers.push_back(value.imag());
     }
 }
 
-Json waves_json(const ReportContent& content, const std::vector<std::size_t>& shown) {
-  Json omega = Json::array(), wavenumber = Json::array();
-  for (const std::size_t i : shown) {
+Json waves_json(const ReportContent& content, const Shown& shown) {
+  Json omega = Json::array(), wavenumber = Json::array(), heading_deg = Json::array();
+  for (const std::size_t b : shown.headings) heading_deg.push_back(content.data.heading_deg[b]);
+  for (const std::size_t i : shown.frequencies) {
     omega.push_back(content.results[i].omega);
     wavenumber.push_back(content.results[i].wavenumber);
   }
   return {{"omega", omega},
           {"wavenumber", wavenumber},
-          {"heading_deg", content.data.heading_deg},
-          {"computed", content.results.size()}};
+          {"heading_deg", heading_deg},
+          {"computed", content.results.size() * content.data.heading_deg.size()}};
 }
 
 Json surface_json(const ReportContent& content, const mesh::Drawing& drawing) {
@@ -74,10 +93,12 @@ Json surface_json(const ReportContent& content, const mesh::Drawing& drawing) {
 // [mode][node], one scale a mode would not be worth its code: modes are mass-normalised
 Json modes_json(const ReportContent& content, const mesh::Drawing& drawing) {
   std::vector<double> shape;
-  for (Index mode = 0; mode < content.modes.count(); ++mode)
-    for (const Index node : drawing.nodes) shape.push_back(content.modes.shape(3 * node, mode));
+  const MatXd& shapes = shapes_of(content);
+  for (Index mode = 0; mode < shapes.cols(); ++mode)
+    for (const Index node : drawing.nodes) shape.push_back(shapes(3 * node, mode));
   const VecXd& omega = content.modes.omega;
   return {{"omega", std::vector<double>(omega.data(), omega.data() + omega.size())},
+          {"count", shapes.cols()},
           {"shape", packed_short(shape)}};
 }
 
@@ -85,16 +106,22 @@ Json structure_json(const ReportContent& content) {
   const auto& [depth, density, gravity] = content.data.water;
   const Point2 extent = content.mesh.upper() - content.mesh.lower();
   const plate::PlateProperties& plate = content.data.plate;
+  double thinnest = plate.thickness, thickest = plate.thickness;
+  for (const PlateRegion& region : content.data.regions) {
+    thinnest = std::min(thinnest, region.properties.thickness);
+    thickest = std::max(thickest, region.properties.thickness);
+  }
   return {{"nodes", content.fluid_nodes},
           {"elements", content.fluid_elements},
           {"pieces", content.mesh.piece_count()},
           {"area", content.mesh.area()},
           {"extent", {extent.x(), extent.y()}},
           {"plate",
-           {{"thickness", plate.thickness},
+           {{"thickness", {thinnest, thickest}},
             {"youngs_modulus", plate.youngs_modulus},
             {"poisson_ratio", plate.poisson_ratio},
-            {"density", plate.density}}},
+            {"density", plate.density},
+            {"loss_factor", plate.loss_factor}}},
           {"water",
            {{"depth", std::isinf(depth) ? Json(nullptr) : Json(depth)},
             {"density", density},
@@ -121,18 +148,19 @@ Json quantities_json(const ReportContent& content) {
 }
 
 // One array a quantity: [frequency][heading][point][re, im]
-Json rao_json(const ReportContent& content, const std::vector<std::size_t>& shown) {
+Json rao_json(const ReportContent& content, const Shown& shown) {
   Json all = Json::array();
   for (std::size_t q = 0; q < content.data.quantities.size(); ++q) {
     std::vector<double> numbers;
-    for (const std::size_t i : shown) append(content.results[i].point_quantities[q], numbers);
+    for (const std::size_t i : shown.frequencies)
+      append(content.results[i].point_quantities[q], shown, numbers);
     all.push_back(packed_short(numbers));
   }
   return all;
 }
 
 // One array a line: [frequency][heading][station][re, im]
-Json lines_json(const ReportContent& content, const std::vector<std::size_t>& shown) {
+Json lines_json(const ReportContent& content, const Shown& shown) {
   Json lines = Json::array();
   Index first = 0;
   for (const NamedLine& line : content.data.lines) {
@@ -141,24 +169,37 @@ Json lines_json(const ReportContent& content, const std::vector<std::size_t>& sh
     for (int s = 0; s < line.count; ++s)
       stations.push_back(line.count > 1 ? length * s / (line.count - 1) : 0.0);
     std::vector<double> numbers;
-    for (const std::size_t i : shown)
-      append(content.results[i].line_deflection.middleRows(first, line.count), numbers);
+    for (const std::size_t i : shown.frequencies)
+      append(content.results[i].line_deflection.middleRows(first, line.count), shown, numbers);
     first += line.count;
     lines.push_back({{"name", line.name}, {"s", stations}, {"deflection", packed_short(numbers)}});
   }
   return lines;
 }
 
-Json amplitudes_json(const ReportContent& content, const std::vector<std::size_t>& shown) {
+// How much of every shape each wave has: [frequency][heading][shape][re, im]. Without modes a wave
+// is 1 of its real part and i of its imaginary part
+Json amplitudes_json(const ReportContent& content, const Shown& shown) {
   std::vector<double> numbers;
-  for (const std::size_t i : shown) append(content.results[i].amplitudes, numbers);
+  if (content.data.route == SolverRoute::kModal) {
+    for (const std::size_t i : shown.frequencies)
+      append(content.results[i].amplitudes, shown, numbers);
+    return packed_short(numbers);
+  }
+  const std::size_t waves = shown.frequencies.size() * shown.headings.size();
+  numbers.resize(4 * waves * waves);
+  for (std::size_t wave = 0; wave < waves; ++wave) {
+    double* const own = numbers.data() + 4 * (wave * waves + wave);
+    own[0] = own[3] = 1.0;
+  }
   return packed_short(numbers);
 }
 
 // Heave, roll and pitch of the first plate: [frequency][mode]
-Json hydrodynamics_json(const ReportContent& content, const std::vector<std::size_t>& shown) {
+Json hydrodynamics_json(const ReportContent& content, const Shown& shown) {
+  if (content.data.route == SolverRoute::kDirect) return nullptr;
   Json mass = Json::array(), damping = Json::array();
-  for (const std::size_t i : shown)
+  for (const std::size_t i : shown.frequencies)
     for (Index mode = 0; mode < 3; ++mode) {
       mass.push_back(content.results[i].added_mass(mode, mode));
       damping.push_back(content.results[i].damping(mode, mode));
@@ -166,15 +207,22 @@ Json hydrodynamics_json(const ReportContent& content, const std::vector<std::siz
   return {{"added_mass", mass}, {"damping", damping}};
 }
 
+std::vector<SelfCheck> checks_of(const ReportContent& content) {
+  if (!content.checks.empty()) return content.checks;
+  std::vector<FrequencyReport> reports;
+  for (const FrequencyResult& result : content.results) reports.push_back(result.report);
+  return self_checks(content.data, preflight(content.data, content.mesh).resolution, content.modes,
+                     reports);
+}
+
 Json checks_json(const ReportContent& content) {
-  static constexpr const char* kWords[] = {"good", "attention", "bad"};
   Json checks = Json::array();
-  for (const SelfCheck& check : self_checks(content.data, content.mesh, content.results))
+  for (const SelfCheck& check : checks_of(content))
     checks.push_back({{"name", check.name},
                       {"value", check.value},
                       {"threshold", check.limit},
                       {"omega", check.omega},
-                      {"status", kWords[static_cast<int>(check.status)]},
+                      {"status", status_name(check.status)},
                       {"text", check.meaning}});
   return checks;
 }
@@ -219,15 +267,17 @@ Json sea_json(const ReportSea& sea, const mesh::Drawing& drawing) {
 }
 
 Json page_json(const ReportContent& content) {
-  const std::vector<std::size_t> shown = shown_frequencies(content);
+  const Shown shown = shown_waves(content);
+  // Deflection and two moments of every mode at every drawn node
   const auto fitting =
-      static_cast<Index>(0.3 * kPageBytes / kBytesPerNumber /
-                         static_cast<double>(std::max<Index>(1, content.modes.count())));
+      static_cast<Index>(0.4 / 3.0 * kPageBytes / kBytesPerNumber /
+                         static_cast<double>(std::max<Index>(1, shapes_of(content).cols())));
   const mesh::Drawing drawing = mesh::make_drawing(content.mesh, std::min(kMostNodes, fitting));
   Json page = {{"format", 1},
                {"program", {{"name", "floe"}, {"version", FLOE_VERSION}}},
                {"title", content.data.title},
                {"status", content.status},
+               {"route", route_name(content.data.route)},
                {"method", content.results.empty() ? "" : content.results.front().report.method},
                {"structure", structure_json(content)},
                {"waves", waves_json(content, shown)},
@@ -237,6 +287,7 @@ Json page_json(const ReportContent& content) {
                {"lines", lines_json(content, shown)},
                {"surface", surface_json(content, drawing)},
                {"modes", modes_json(content, drawing)},
+               {"moments", moments_json(content, shapes_of(content), drawing)},
                {"amplitudes", amplitudes_json(content, shown)},
                {"hydrodynamics", hydrodynamics_json(content, shown)},
                {"checks", checks_json(content)},

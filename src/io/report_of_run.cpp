@@ -1,6 +1,8 @@
 #include "io/atomic_file.hpp"
+#include "io/report_motions.hpp"
 
 #include <floe/io/report.hpp>
+#include <floe/numeric/error.hpp>
 #include <floe/response/design_values.hpp>
 
 #include <algorithm>
@@ -60,11 +62,24 @@ std::vector<ReportSea> report_seas(const StoredRun& run, bool same_mesh) {
   return seas;
 }
 
+// The mesh that tells the regions may have gone since the run
+std::optional<plate::PlateRegions> known_regions(const Case& data, const mesh::Q8Mesh& mesh) {
+  if (data.regions.empty()) return std::nullopt;
+  try {
+    const plate::PlateRegions regions = plate_regions(data);
+    const auto count = static_cast<Index>(regions.of_element().size());
+    return count == mesh.element_count() ? std::optional(regions) : std::nullopt;
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
 }  // namespace
 
 std::string report_page(const StoredRun& run) {
-  const mesh::Q8Mesh mesh = run.mode_mesh(), fluid = run.fluid_mesh();
-  const plate::DryModes modes = run.modes();
+  const bool modal = run.data().route == SolverRoute::kModal;
+  const mesh::Q8Mesh fluid = run.fluid_mesh(), mesh = modal ? run.mode_mesh() : fluid;
+  const plate::DryModes modes = modal ? run.modes() : plate::DryModes{};
   const std::vector<FrequencyResult> results = run.frequencies();
   return report_page({.data = run.data(),
                       .mesh = mesh,
@@ -76,7 +91,10 @@ std::string report_page(const StoredRun& run) {
                       .warnings = run.warnings(),
                       .stages = run.stages(),
                       .case_text = run.case_text(),
-                      .seas = report_seas(run, run.data().plate_mesh.empty())});
+                      .seas = report_seas(run, run.data().plate_mesh.empty()),
+                      .motions = modal ? ReportMotions{} : stored_motions(run.data(), results),
+                      .regions = known_regions(run.data(), mesh),
+                      .checks = run.checks()});
 }
 
 void write_report(const StoredRun& run, const std::filesystem::path& path) {

@@ -1,6 +1,10 @@
 #include "io/result_records.hpp"
 
+#include <floe/numeric/error.hpp>
+
+#include <cmath>
 #include <string>
+#include <type_traits>
 
 namespace floe::io {
 namespace {
@@ -13,11 +17,41 @@ VecXd as_vector(const std::vector<Number>& values) {
   return vector;
 }
 
+// A number that says how many there are
+template <typename Count>
+Count count_of(double value) {
+  constexpr double kMost = 1e9;
+  FLOE_VALIDATE_AS(StoreError, value >= 0.0 && value <= kMost && value == std::floor(value),
+                   "a record holds " << value << " where it says how many there are");
+  return static_cast<Count>(value);
+}
+
 template <typename Number>
 std::vector<Number> as_list(const MatXd& values) {
   std::vector<Number> list;
-  for (Index i = 0; i < values.size(); ++i) list.push_back(static_cast<Number>(values(i)));
+  for (Index i = 0; i < values.size(); ++i) {
+    if constexpr (std::is_same_v<Number, double>)
+      list.push_back(values(i));
+    else
+      list.push_back(count_of<Number>(values(i)));
+  }
   return list;
+}
+
+// Node numbers; those out of range are left to the mesh to refuse
+mesh::Connectivity elements_of(const MatXd& stored) {
+  FLOE_VALIDATE_AS(StoreError, stored.rows() == 8, "a record's elements have no eight nodes");
+  return stored.unaryExpr([](double node) { return static_cast<double>(count_of<Index>(node)); })
+      .cast<Index>();
+}
+
+// A list of numbers that has its least length from the program
+std::vector<double> facts_of(const Record& record, const std::string& name, std::size_t count) {
+  std::vector<double> facts = as_list<double>(record.real(name));
+  FLOE_VALIDATE_AS(StoreError, facts.size() >= count,
+                   "a record holds " << facts.size() << " numbers of its " << name << ", less than "
+                                     << count << " (it is of another version of floe)");
+  return facts;
 }
 
 }  // namespace
@@ -30,7 +64,9 @@ Record record_of(const mesh::Q8Mesh& mesh) {
 }
 
 mesh::Q8Mesh mesh_from(const Record& record) {
-  return mesh::Q8Mesh(record.real("nodes"), record.real("elements").cast<Index>());
+  const MatXd nodes = record.real("nodes");
+  FLOE_VALIDATE_AS(StoreError, nodes.rows() == 2, "a record's nodes have no two coordinates");
+  return mesh::Q8Mesh(nodes, elements_of(record.real("elements")));
 }
 
 Record record_of(const plate::DryModes& modes) {
@@ -39,7 +75,10 @@ Record record_of(const plate::DryModes& modes) {
   record.put("shape", modes.shape);
   record.put("modal_mass", modes.modal_mass);
   record.put("rigid_count", static_cast<double>(modes.rigid_count));
+  record.put("rotary_inertia", modes.rotary_inertia);
   record.put("estimated_frequency_error", modes.estimated_frequency_error);
+  record.put("orthonormality_error", modes.orthonormality_error);
+  record.put("rigid_force_error", modes.rigid_force_error);
   return record;
 }
 
@@ -48,8 +87,11 @@ plate::DryModes modes_from(const Record& record) {
   modes.omega = record.real("omega");
   modes.shape = record.real("shape");
   modes.modal_mass = record.real("modal_mass");
-  modes.rigid_count = static_cast<int>(record.number("rigid_count"));
+  modes.rigid_count = count_of<int>(record.number("rigid_count"));
+  modes.rotary_inertia = record.real("rotary_inertia");
   modes.estimated_frequency_error = record.number("estimated_frequency_error");
+  modes.orthonormality_error = record.number("orthonormality_error");
+  modes.rigid_force_error = record.number("rigid_force_error");
   return modes;
 }
 
@@ -81,7 +123,9 @@ Record record_of(const FrequencyResult& result) {
   record.put("report", VecXd{{static_cast<double>(report.iterations),
                               static_cast<double>(report.applications), report.true_residual,
                               report.kernel_error, report.reciprocity_error, report.energy_error,
-                              report.seconds}});
+                              report.exact_residual, report.passivity_error,
+                              report.residual_between_nodes, report.mode_change}});
+  record.put(kSeconds, report.seconds);
   return record;
 }
 
@@ -97,16 +141,17 @@ FrequencyResult frequency_from(const Record& record) {
   result.line_deflection = record.complex("line_deflection");
   result.point_deflection = record.complex("point_deflection");
   result.wave_elevation = record.complex("wave_elevation");
-  const auto count = static_cast<std::size_t>(record.number("quantities"));
+  const auto count = count_of<std::size_t>(record.number("quantities"));
   for (std::size_t q = 0; q < count; ++q)
     result.point_quantities.push_back(record.complex("quantity " + std::to_string(q)));
-  const auto fields = static_cast<std::size_t>(record.number("fields"));
+  const auto fields = count_of<std::size_t>(record.number("fields"));
   for (std::size_t f = 0; f < fields; ++f) {
     const MatXcd values = record.complex("field " + std::to_string(f));
+    FLOE_VALIDATE_AS(StoreError, values.cols() == 4, "a record's field has no four columns");
     result.fields.push_back({result.omega, record.number("field heading " + std::to_string(f)),
                              values.col(0), values.col(1), values.col(2), values.col(3)});
   }
-  const std::vector<double> report = as_list<double>(record.real("report"));
+  const std::vector<double> report = facts_of(record, "report", 10);
   result.report = {.omega = result.omega,
                    .method = record.text("method"),
                    .iterations = static_cast<int>(report.at(0)),
@@ -115,7 +160,11 @@ FrequencyResult frequency_from(const Record& record) {
                    .kernel_error = report.at(3),
                    .reciprocity_error = report.at(4),
                    .energy_error = report.at(5),
-                   .seconds = report.at(6)};
+                   .exact_residual = report.at(6),
+                   .residual_between_nodes = report.at(8),
+                   .mode_change = report.at(9),
+                   .passivity_error = report.at(7),
+                   .seconds = record.number(kSeconds)};
   return result;
 }
 
@@ -142,8 +191,8 @@ SeaObservation observation_from(const Record& record) {
 }
 
 SeaGridReport sea_grid_from(const Record& record) {
-  return {as_list<double>(record.real("omega")), static_cast<int>(record.number("headings")), 0.0,
-          0, 0.0};
+  return {as_list<double>(record.real("omega")), count_of<int>(record.number("headings")), 0.0, 0,
+          0.0};
 }
 
 Record record_of(const SeaGridReport& grid) {
@@ -159,7 +208,7 @@ Record record_of(const SeaGridReport& grid) {
 SeaGridReport finished_grid_from(const Record& record) {
   SeaGridReport grid = sea_grid_from(record);
   grid.interpolation_error = record.number("interpolation_error");
-  grid.solved_frequencies = static_cast<int>(record.number("solved_frequencies"));
+  grid.solved_frequencies = count_of<int>(record.number("solved_frequencies"));
   grid.pressure_error = record.number("pressure_error");
   return grid;
 }
@@ -178,6 +227,46 @@ SeaTransfer transfer_from(const Record& record) {
   for (std::size_t z = 0; record.holds("zone " + std::to_string(z)); ++z)
     transfer.zone_states.push_back(record.complex("zone " + std::to_string(z)));
   return transfer;
+}
+
+Record record_of(const FluidSample& sample) {
+  Record record;
+  record.put("omega", sample.omega);
+  record.put("pressure", sample.pressure);
+  record.put("fluid_matrix", sample.fluid_matrix);
+  record.put("pressure_error", sample.pressure_error);
+  return record;
+}
+
+FluidSample sample_from(const Record& record) {
+  return {.omega = record.number("omega"),
+          .pressure = record.complex("pressure"),
+          .fluid_matrix = record.complex("fluid_matrix"),
+          .pressure_error = record.number("pressure_error")};
+}
+
+Record record_of(const SeaMarch& march) {
+  Record record;
+  record.put("next", static_cast<double>(march.next));
+  record.put("interval", static_cast<double>(march.interval));
+  record.put("step", march.step);
+  record.put("solved", static_cast<double>(march.solved));
+  record.put("largest_error", march.largest_error);
+  record.put("samples", as_vector(march.samples));
+  record.put("largest_response", as_vector(march.largest_response));
+  record.put("pressure_error", march.pressure_error);
+  return record;
+}
+
+SeaMarch march_from(const Record& record) {
+  return {.next = static_cast<std::size_t>(record.number("next")),
+          .interval = static_cast<Index>(record.number("interval")),
+          .step = record.number("step"),
+          .solved = static_cast<int>(record.number("solved")),
+          .largest_error = record.number("largest_error"),
+          .samples = as_list<int>(record.real("samples")),
+          .largest_response = as_list<double>(record.real("largest_response")),
+          .pressure_error = record.number("pressure_error")};
 }
 
 Record record_of(const SeaResult& result) {
@@ -232,7 +321,7 @@ SeaResult sea_from(const Record& record) {
   }
   result.line_deviation = record.real("line_deviation");
   result.node_moments = record.real("node_moments");
-  const std::vector<double> facts = as_list<double>(record.real("facts"));
+  const std::vector<double> facts = facts_of(record, "facts", 5);
   result.mean_heading_deg = facts.at(0);
   result.duration = facts.at(1);
   result.significant_height = facts.at(2);

@@ -7,6 +7,9 @@
 /// What a run computes, as records and back. All numbers keep all their bits.
 namespace floe::io {
 
+/// The entry of a frequency that tells its wall time: two runs differ in it.
+inline const std::string kSeconds = "seconds";
+
 Record record_of(const mesh::Q8Mesh& mesh);
 mesh::Q8Mesh mesh_from(const Record& record);
 
@@ -25,6 +28,12 @@ SeaGridReport finished_grid_from(const Record& record);
 
 Record record_of(const SeaTransfer& transfer);
 SeaTransfer transfer_from(const Record& record);
+
+Record record_of(const FluidSample& sample);
+FluidSample sample_from(const Record& record);
+
+Record record_of(const SeaMarch& march);
+SeaMarch march_from(const Record& record);
 
 Record record_of(const SeaResult& result);
 SeaResult sea_from(const Record& record);

@@ -98,7 +98,7 @@ void expect_shapes(const Case& data, const FrequencyResult& result) {
 }  // namespace
 
 ResultTables::ResultTables(const std::filesystem::path& folder,
-                           const std::vector<std::string>& remarks)
+                           const std::vector<std::string>& remarks, SolverRoute route)
     : points_(folder / "rao_points.csv", per_amplitude("deflection [m/m] at points", remarks),
               {"omega", "heading_deg", "point", "x", "y", "re_w", "im_w", "abs_w"}),
       lines_(folder / "rao_lines.csv", per_amplitude("deflection [m/m] along lines", remarks),
@@ -107,14 +107,16 @@ ResultTables::ResultTables(const std::filesystem::path& folder,
                   per_amplitude("quantities at points, SI units", remarks),
                   {"omega", "heading_deg", "point", "quantity", "re", "im", "abs"}),
       waves_(folder / "wave_points.csv", per_amplitude("free-surface elevation [m/m]", remarks),
-             {"omega", "heading_deg", "point", "x", "y", "re", "im", "abs"}),
-      coefficients_(
-          folder / "hydro_coefficients.csv",
-          comments("added mass [-] and damping [1/s] in mass-normalised dry modes", remarks),
-          {"omega", "mode_i", "mode_j", "added_mass", "damping"}),
-      forces_(folder / "exciting_force.csv",
-              per_amplitude("exciting force on mass-normalised dry modes", remarks),
-              {"omega", "heading_deg", "mode", "re", "im"}) {}
+             {"omega", "heading_deg", "point", "x", "y", "re", "im", "abs"}) {
+  if (route == SolverRoute::kDirect) return;
+  coefficients_.emplace(
+      folder / "hydro_coefficients.csv",
+      comments("added mass [-] and damping [1/s] in mass-normalised dry modes", remarks),
+      std::vector<std::string>{"omega", "mode_i", "mode_j", "added_mass", "damping"});
+  forces_.emplace(folder / "exciting_force.csv",
+                  per_amplitude("exciting force on mass-normalised dry modes", remarks),
+                  std::vector<std::string>{"omega", "heading_deg", "mode", "re", "im"});
+}
 
 void ResultTables::add(const Case& data, const FrequencyResult& result) {
   expect_shapes(data, result);
@@ -122,8 +124,8 @@ void ResultTables::add(const Case& data, const FrequencyResult& result) {
   add_lines(lines_, data, result);
   add_quantities(quantities_, data, result);
   add_points(waves_, data.wave_points, data, result.omega, result.wave_elevation);
-  add_coefficients(coefficients_, result);
-  add_forces(forces_, data, result);
+  if (coefficients_) add_coefficients(*coefficients_, result);
+  if (forces_) add_forces(*forces_, data, result);
 }
 
 void ResultTables::mark() {

@@ -5,6 +5,7 @@
 #include <floe/analysis.hpp>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,9 @@ namespace floe::io {
 /// water, hydrodynamic coefficients, exciting forces.
 class ResultTables final {
  public:
-  /// `remarks` become comment lines of every table.
-  ResultTables(const std::filesystem::path& folder, const std::vector<std::string>& remarks);
+  /// Those that this route knows; `remarks` become comment lines of every table.
+  ResultTables(const std::filesystem::path& folder, const std::vector<std::string>& remarks,
+               SolverRoute route);
 
   /// Appends one frequency; rows by rising frequency, then heading, then as in the case.
   void add(const Case& data, const FrequencyResult& result);
@@ -28,11 +30,13 @@ class ResultTables final {
  private:
   template <typename Function>
   void each(Function function) {
-    for (CsvTable* table : {&points_, &lines_, &quantities_, &waves_, &coefficients_, &forces_})
-      function(*table);
+    for (CsvTable* table : {&points_, &lines_, &quantities_, &waves_}) function(*table);
+    for (std::optional<CsvTable>* table : {&coefficients_, &forces_})
+      if (*table) function(**table);
   }
 
-  CsvTable points_, lines_, quantities_, waves_, coefficients_, forces_;
+  CsvTable points_, lines_, quantities_, waves_;
+  std::optional<CsvTable> coefficients_, forces_;  // of modes
 };
 
 /// Writes `dry_modes.csv`.

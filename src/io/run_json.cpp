@@ -1,13 +1,9 @@
 #include "io/run_json.hpp"
 
-#include "io/case_json.hpp"
-#include "io/output_directory.hpp"
 #include "io/regular_file.hpp"
 
 #include <floe/numeric/error.hpp>
 #include <floe/numeric/memory.hpp>
-
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <numbers>
@@ -56,6 +52,28 @@ Json plan_json(const RunAccount& account) {
           {"estimated_seconds", account.plan.seconds}};
 }
 
+Json checks_json(const std::vector<SelfCheck>& all) {
+  Json checks = Json::array();
+  for (const SelfCheck& check : all)
+    checks.push_back({{"name", check.name},
+                      {"value", check.value},
+                      {"limit", check.limit},
+                      {"omega", check.omega},
+                      {"status", status_name(check.status)},
+                      {"meaning", check.meaning}});
+  return checks;
+}
+
+// How fine the mesh is for the waves of one frequency
+void add_resolution(const std::vector<Resolution>& all, double omega, Json& frequency) {
+  for (const Resolution& r : all) {
+    if (r.omega != omega) continue;
+    frequency["nodes_per_wavelength"] = r.nodes_per_wavelength;
+    frequency["flexural_wavelength"] = r.flexural_wavelength;
+    frequency["nodes_per_flexural_wavelength"] = r.nodes_per_flexural_wavelength;
+  }
+}
+
 Json frequency_json(const FrequencyReport& report, double wavenumber) {
   return {{"omega", report.omega},
           {"wavelength", 2.0 * std::numbers::pi / wavenumber},
@@ -66,6 +84,10 @@ Json frequency_json(const FrequencyReport& report, double wavenumber) {
           {"kernel_error", report.kernel_error},
           {"reciprocity_error", report.reciprocity_error},
           {"energy_error", report.energy_error},
+          {"exact_residual", report.exact_residual},
+          {"residual_between_nodes", report.residual_between_nodes},
+          {"mode_change", report.mode_change},
+          {"passivity_error", report.passivity_error},
           {"seconds", report.seconds}};
 }
 
@@ -82,10 +104,12 @@ RunAccount::Climate summary_of(const LongTermResult& result) {
           result.grid_error};
 }
 
-std::string run_json(const Case& data, const RunAccount& account) {
+std::string run_json(const Json& options, const RunAccount& account) {
   Json frequencies = Json::array(), stages = Json::array();
-  for (std::size_t i = 0; i < account.frequencies.size(); ++i)
+  for (std::size_t i = 0; i < account.frequencies.size(); ++i) {
     frequencies.push_back(frequency_json(account.frequencies[i], account.wavenumber[i]));
+    add_resolution(account.resolution, account.frequencies[i].omega, frequencies.back());
+  }
   for (const StageTime& stage : account.stages)
     stages.push_back(
         {{"stage", stage.stage}, {"seconds", stage.seconds}, {"peak_memory", stage.peak_memory}});
@@ -96,7 +120,7 @@ std::string run_json(const Case& data, const RunAccount& account) {
       {"conventions",
        "SI units, e^{-iωt}, z up, per metre of wave amplitude, phases relative to "
        "the origin, heading: direction the waves travel to, from +x towards +y"},
-      {"options", case_json(data)},
+      {"options", options},
       {"plan", plan_json(account)},
       {"mesh",
        {{"nodes", account.nodes},
@@ -105,9 +129,8 @@ std::string run_json(const Case& data, const RunAccount& account) {
         {"area", account.area},
         {"hash", account.mesh_hash}}},
       {"method", account.plan.method},
-      {"route", route_name(data.route)},
-      {"left_out",
-       data.route == SolverRoute::kDirect ? Json(modal_product_names()) : Json::array()},
+      {"route", options.at("solver").at("route")},
+      {"left_out", account.left_out},
       {"nodes", account.nodes},
       {"modes",
        {{"count", account.dry_omega.size()},
@@ -115,11 +138,21 @@ std::string run_json(const Case& data, const RunAccount& account) {
         {"estimated_frequency_error", account.dry_omega_error}}},
       {"frequencies", frequencies},
       {"seas", sea_results_json(account)},
+      {"checks", checks_json(account.checks)},
       {"warnings", account.warnings},
       {"stages", stages},
-      {"peak_memory", numeric::peak_memory()},
+      {"peak_memory", account.peak_memory > 0.0 ? account.peak_memory : numeric::peak_memory()},
       {"files", account.files}};
   return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string status_of_run(const std::filesystem::path& account) {
+  try {
+    return Json::parse(read_regular_file(account, kLargestAccount)).at("status");
+  } catch (const Json::exception&) {
+  } catch (const InputError&) {
+  }
+  return "";
 }
 
 std::vector<std::string> files_of_run(const std::filesystem::path& account) {

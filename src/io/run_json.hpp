@@ -3,12 +3,19 @@
 #include <floe/analysis.hpp>
 #include <floe/estimate.hpp>
 #include <floe/long_term_statistics.hpp>
+#include <floe/preflight.hpp>
+#include <floe/self_checks.hpp>
+
+#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
 namespace floe::io {
+
+/// The status of a run that has not ended, or was killed.
+inline const std::string kRunning = "running";
 
 /// What `run.json` tells about a run.
 struct RunAccount {
@@ -25,7 +32,9 @@ struct RunAccount {
   double dry_omega_error = 0.0;    ///< largest relative error, estimated
   std::vector<double> wavenumber;  ///< one a finished frequency [rad/m]
   std::vector<FrequencyReport> frequencies;
-  SeaGridReport sea_grid;  ///< no frequency: no seas
+  std::vector<Resolution> resolution;  ///< of the case's frequencies
+  std::vector<SelfCheck> checks;       ///< none before the end
+  SeaGridReport sea_grid;              ///< no frequency: no seas
   struct Sea {
     std::string name;
     double mean_heading_deg, significant_height, band_height, spreading_sum, share_outside,
@@ -38,7 +47,9 @@ struct RunAccount {
   };
   std::vector<Climate> climates;
   std::vector<StageTime> stages;
-  std::vector<std::string> files;  ///< all files of the run, relative
+  double peak_memory = 0.0;           ///< [byte]; 0: of this process
+  std::vector<std::string> left_out;  ///< products that its route does not know
+  std::vector<std::string> files;     ///< all files of the run, relative
 };
 
 /// What the account tells of one sea and mean heading.
@@ -47,8 +58,12 @@ RunAccount::Sea summary_of(const SeaResult& result);
 /// And of one scatter diagram.
 RunAccount::Climate summary_of(const LongTermResult& result);
 
-/// The text of `run.json`. Numbers that are not finite become null, an infinite depth "inf".
-std::string run_json(const Case& data, const RunAccount& account);
+/// The text of `run.json`; `options` is the case as case_json has it. Numbers that are not finite
+/// become null.
+std::string run_json(const nlohmann::ordered_json& options, const RunAccount& account);
+
+/// The status that a `run.json` tells; "" where it tells none.
+std::string status_of_run(const std::filesystem::path& account);
 
 /// The files that a `run.json` lists as made by its run.
 /// Throws StoreError when it is not a readable account of floe.

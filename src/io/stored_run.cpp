@@ -1,10 +1,13 @@
 #include "io/case_json.hpp"
+#include "io/manifest.hpp"
 #include "io/record_names.hpp"
 #include "io/regular_file.hpp"
 #include "io/result_records.hpp"
 
 #include <floe/io/stored_run.hpp>
 #include <floe/numeric/error.hpp>
+
+#include <limits>
 
 namespace floe::io {
 namespace {
@@ -25,19 +28,39 @@ Json read_json(const std::filesystem::path& path) {
   }
 }
 
+SelfCheck check_from(const Json& json) {
+  const Json& value = json.at("value");
+  SelfCheck check{
+      .name = json.at("name"),
+      .value = value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>(),
+      .limit = json.at("limit"),
+      .omega = json.at("omega"),
+      .meaning = json.at("meaning")};
+  for (const CheckStatus status : {CheckStatus::kGood, CheckStatus::kAttention, CheckStatus::kBad})
+    if (json.at("status") == status_name(status)) check.status = status;
+  return check;
+}
+
 }  // namespace
 
 StoredRun::StoredRun(std::filesystem::path directory) : directory_(std::move(directory)) {
-  const Json account = read_json(directory_ / "run.json");
-  const Json manifest = read_json(record(kManifest));
+  const bool lost = std::filesystem::exists(record(kManifest)) &&
+                    !std::filesystem::exists(directory_ / "run.json");
+  const Json account = lost ? Json::object() : read_json(directory_ / "run.json");
+  const Json manifest = read_manifest(directory_);
   manifest_ = manifest.dump();
-  data_ = case_from_json(manifest.value("options", Json::object()));
+  if (!lost) account_ = account.dump();
+  data_ = case_from_json(manifest.at("options"));
   try {
     text_ = manifest.at("case_text");
-    status_ = account.at("status");
-    warnings_ = account.at("warnings").get<std::vector<std::string>>();
-    for (const Json& stage : account.at("stages"))
+    if (manifest.contains("shard"))
+      data_.shard = {manifest.at("shard").at("index"), manifest.at("shard").at("count")};
+    status_ = lost ? "not known" : account.at("status").get<std::string>();
+    warnings_ = account.value("warnings", std::vector<std::string>());
+    for (const Json& stage : account.value("stages", Json::array()))
       stages_.push_back({stage.at("stage"), stage.at("seconds"), stage.at("peak_memory")});
+    for (const Json& check : account.value("checks", Json::array()))
+      checks_.push_back(check_from(check));
     for (const Json& sea : manifest.at("options").at("sea")) {
       sea_names_.push_back(sea.at("name"));
       sea_descriptions_.push_back(sea.at("description"));
@@ -45,6 +68,24 @@ StoredRun::StoredRun(std::filesystem::path directory) : directory_(std::move(dir
   } catch (const Json::exception& error) {
     throw StoreError("the account of " + directory_.string() + " is not complete: " + error.what());
   }
+}
+
+int StoredRun::threads() const {
+  const Json account = account_.empty() ? Json::object() : Json::parse(account_);
+  return account.contains("plan") ? account.at("plan").value("threads", 1) : 1;
+}
+
+bool StoredRun::wants_seas() const {
+  const bool range = data_.sea_grid.from && data_.sea_grid.to;
+  return data_.shard.holds_seas() && (range || !sea_names_.empty());
+}
+
+Estimate StoredRun::plan() const {
+  Case data = data_;
+  data.seas.resize(sea_names_.size());  // only how many there are matters
+  const std::optional<mesh::Q8Mesh> own =
+      data.plate_mesh.empty() ? std::nullopt : std::optional(mode_mesh());
+  return estimate(data, fluid_mesh(), own ? &*own : nullptr, threads());
 }
 
 std::filesystem::path StoredRun::record(const std::string& name) const { return directory_ / name; }
@@ -76,6 +117,11 @@ std::vector<FrequencyResult> StoredRun::frequencies() const {
   for (std::size_t i = 0; i < data_.omega.size(); ++i)
     if (has_frequency(i)) results.push_back(frequency(i));
   return results;
+}
+
+std::optional<SeaGridReport> StoredRun::finished_seas() const {
+  if (!std::filesystem::exists(record(kSeaGrid))) return std::nullopt;
+  return finished_grid_from(Record::read(record(kSeaGrid)));
 }
 
 std::vector<SeaResult> StoredRun::seas() const {

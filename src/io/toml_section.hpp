@@ -2,6 +2,8 @@
 
 #include <toml++/toml.h>
 
+#include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +16,8 @@ struct CaseSource {
   std::string name;  ///< as the user gave it
   std::vector<std::string> notices;
   std::vector<std::string> warnings;
+  /// Data files that were read, by the key that names them.
+  std::map<std::string, std::filesystem::path> files = {};
 
   /// "CASE.toml:12:9: "
   std::string place(const toml::source_region& region) const;

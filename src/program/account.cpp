@@ -26,10 +26,12 @@ constexpr const char* kTableHead =
 Account::Account(ProgressStyle style)
     : style_(style),
       screen_(style == ProgressStyle::kAuto ? look_at_screen() : Screen{}),
-      bar_(screen_) {}
+      bar_(screen_),
+      clock_([this] { redraw(); }) {}
 
 void Account::line(const std::string& text) {
   if (style_ == ProgressStyle::kNone || style_ == ProgressStyle::kJson) return;
+  const std::lock_guard<std::mutex> lock(mutex_);
   bar_.erase();
   print(text + "\n");
 }
@@ -55,10 +57,40 @@ void Account::warning(const std::string& text) {
 }
 
 void Account::progress(double share, const std::string& now) {
+  const double seconds = clock_.seconds();
+  double left = -1.0;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    time_left_.note(share, seconds);
+    share_ = share;
+    now_ = now;
+    left = time_left_.at(seconds);
+    bar_.show(share, left, now);
+  }
   if (style_ == ProgressStyle::kJson)
-    print_json({{"event", "progress"}, {"share", share}, {"now", now}});
-  bar_.show(share, now);
+    print_json({{"event", "progress"},
+                {"share", share},
+                {"now", now},
+                {"seconds", seconds},
+                {"seconds_left", left < 0.0 ? Json(nullptr) : Json(left)}});
+  line_of_progress(left);
   stop_if_asked();
+}
+
+// For people who read a log: seldom, and never in a short run
+void Account::line_of_progress(double left) {
+  constexpr double kShares = 0.1, kSeconds = 10.0;
+  const double seconds = clock_.seconds();
+  if (screen_.terminal || share_ < told_share_ + kShares || seconds < told_at_ + kSeconds) return;
+  told_share_ = share_;
+  told_at_ = seconds;
+  line(fmt::format("progress   {:.0f} %{}", 100.0 * share_,
+                   left < 0.0 ? "" : ", about " + format_duration(left) + " left"));
+}
+
+void Account::redraw() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!now_.empty()) bar_.show(share_, time_left_.at(clock_.seconds()), now_);
 }
 
 void Account::fact(const std::string& name, const std::string& text) {
@@ -106,6 +138,7 @@ void Account::sea(const SeaResult& result) {
 
 void Account::show_warnings() {
   if (pending_warnings_.empty()) return;
+  const std::lock_guard<std::mutex> lock(mutex_);
   bar_.erase();
   std::string text;
   for (const std::string& warning : pending_warnings_)
@@ -116,6 +149,10 @@ void Account::show_warnings() {
   else
     print(text);
   pending_warnings_.clear();
+}
+
+void print_error_event(int code, const std::string& text) {
+  print_json({{"event", "error"}, {"code", code}, {"text", text}});
 }
 
 }  // namespace floe::program

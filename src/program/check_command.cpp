@@ -1,6 +1,7 @@
 #include "program/commands.hpp"
 
 #include <floe/bem/element_lattice.hpp>
+#include <floe/disk_estimate.hpp>
 #include <floe/estimate.hpp>
 #include <floe/numeric/memory.hpp>
 #include <floe/preflight.hpp>
@@ -63,7 +64,7 @@ std::vector<Estimate> estimate_others(const Case& data, const mesh::Q8Mesh& mesh
 }
 
 void tell_needs(const Estimate& needed, const std::vector<Estimate>& others, double budget,
-                Account& account) {
+                double disk, Account& account) {
   account.fact("method", fmt::format("{}, {} route", needed.method, needed.route));
   for (const StageEstimate& stage : needed.stages)
     account.fact("", fmt::format("{:<12} {:>8}  about {}", stage.stage, format_bytes(stage.memory),
@@ -77,6 +78,7 @@ void tell_needs(const Estimate& needed, const std::vector<Estimate>& others, dou
                                                                         : ""));
   account.fact("memory",
                fmt::format("{} of {}", format_bytes(needed.memory), format_bytes(budget)));
+  account.fact("disk", format_bytes(disk));
   account.fact("time", fmt::format("about {} on {}", format_duration(needed.seconds),
                                    counted(omp_get_max_threads(), "thread")));
 }
@@ -94,13 +96,17 @@ void check_case(const RunOptions& options) {
 
   // Tell what was found
   const mesh::Q8Mesh* const own = plate ? &plate->mesh : nullptr;
-  const Preflight found = preflight(data, fluid.mesh, own);
+  const mesh::MeshFile& of_plate = plate ? *plate : fluid;
+  const plate::PlateRegions regions =
+      plate_regions(data, of_plate.mesh.element_count(), of_plate.groups);
+  const Preflight found = preflight(data, fluid.mesh, own, &regions);
   const Estimate needed = estimate(data, fluid.mesh, own, omp_get_max_threads());
   const double budget = numeric::memory_budget(data.memory_limit, numeric::memory_limits());
   tell_mesh("mesh", fluid, found.quality, account);
   if (plate) tell_mesh("plate mesh", *plate, mesh::measure_quality(plate->mesh), account);
   tell_resolution(found, account);
-  tell_needs(needed, estimate_others(data, fluid.mesh, own, needed), budget, account);
+  tell_needs(needed, estimate_others(data, fluid.mesh, own, needed), budget,
+             estimate_disk(data, fluid.mesh), account);
   for (const std::string& warning : found.warnings) account.warning(warning);
   account.show_warnings();
 

@@ -1,20 +1,23 @@
 #include "program/command_line.hpp"
 
+#include "program/account.hpp"
 #include "program/commands.hpp"
 #include "program/exit_code.hpp"
+#include "program/help_commands.hpp"
 #include "program/mesh_command_line.hpp"
+#include "program/option_checks.hpp"
 #include "program/parse_errors.hpp"
+#include "program/parse_values.hpp"
 #include "program/signals.hpp"
 
 #include <floe/io/case_file.hpp>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
-#include <cmath>
 #include <functional>
 #include <map>
 #include <sstream>
@@ -26,9 +29,13 @@ constexpr const char* kAbout =
     "floe: hydroelastic response of very large floating structures in waves.";
 constexpr const char* kExamples = R"(
 Examples:
+  floe init plate.toml --mesh plate.msh --sea 2 6.3   a commented case file for a mesh and a sea
   floe check cases/table1.toml            what a run would need; solves nothing
+  floe converge cases/table1.toml         how good the answers are on that mesh
   floe run cases/table1.toml              results go to table1.out/
   floe run plate.toml -o out --threads 8  another folder, eight threads
+  floe run plate.toml --resume            go on after a stop, a kill or a power cut
+  floe status plate.out                   how far it is
   floe report table1.out                  one page to look at: table1.out/report.html
   floe stats table1_seas.out --sea storm.toml   other seas, without solving again
   floe export table1.out --format netcdf --rigid-only   six motions, for other programs
@@ -38,66 +45,17 @@ Exit codes: 0 done, 2 command line, 3 case file, 4 mesh, 5 sea states, 6 memory,
   9 results there already, 10 folder in use, 75 stopped by --max-time,
   130/143 by a signal, 1 a fault of floe.)";
 
-// "16G" in bytes; K, M, G, T are powers of 1024
-double parse_bytes(const std::string& text) {
-  const std::map<char, double> factors = {{'K', 1024.0},
-                                          {'M', std::pow(1024.0, 2)},
-                                          {'G', std::pow(1024.0, 3)},
-                                          {'T', std::pow(1024.0, 4)}};
-  std::string digits = text;
-  double factor = 1.0;
-  if (!digits.empty() && factors.contains(static_cast<char>(std::toupper(digits.back())))) {
-    factor = factors.at(static_cast<char>(std::toupper(digits.back())));
-    digits.pop_back();
-  }
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value) ||
-      value <= 0.0)
-    throw UsageError(fmt::format(
-        "invalid --memory = {} (must be a positive number of bytes, or like 500M or 16G)", text));
-  return value * factor;
-}
-
-// "2h" in seconds; s, m, h
-double parse_time(const std::string& text) {
-  const std::map<char, double> factors = {{'s', 1.0}, {'m', 60.0}, {'h', 3600.0}};
-  std::string digits = text;
-  double factor = 1.0;
-  if (!digits.empty() && factors.contains(digits.back())) {
-    factor = factors.at(digits.back());
-    digits.pop_back();
-  }
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value) ||
-      value <= 0.0)
-    throw UsageError(fmt::format(
-        "invalid --max-time = {} (must be a positive number of seconds, or like 90m or 12h)",
-        text));
-  return value * factor;
-}
-
 // What the parser fills in
 struct Choice {
   RunOptions run;
   StatsOptions stats;
   ReportOptions report;
+  StatusOptions status;
   ExportOptions exported;
+  MergeOptions merge;
   std::string memory, max_time;
   std::function<void()> action;  // what the chosen command does
 };
-
-// A check whose message has the program's shape
-CLI::Validator one_of(const std::string& option, const std::string& required,
-                      const std::function<bool(const std::string&)>& accepts) {
-  return CLI::Validator(
-      [=](std::string& text) {
-        return accepts(text) ? ""
-                             : fmt::format("invalid {} = {} (must be {})", option, text, required);
-      },
-      "");
-}
 
 void add_case_flags(CLI::App& command, Choice& choice) {
   command.add_option("case", choice.run.case_file, "case file")->required()->type_name("CASE.toml");
@@ -136,10 +94,15 @@ void add_run(CLI::App& app, Choice& choice) {
       ->type_name("TIME");
   command
       .add_option_function<std::string>(
+          "--shard", [&choice](const std::string& text) { choice.run.shard = parse_shard(text); },
+          "run part I of N: every N-th frequency; floe merge puts the parts together")
+      ->type_name("I/N");
+  command
+      .add_option_function<std::string>(
           "--progress",
           [&choice, styles](const std::string& name) { choice.run.progress = styles.at(name); },
-          "auto, plain, json or none")
-      ->type_name("HOW")
+          "how progress is shown")
+      ->type_name("auto|plain|json|none")
       ->check(one_of("--progress", "auto, plain, json or none",
                      [styles](const std::string& name) { return styles.contains(name); }));
   command.callback([&choice] { choice.action = [&choice] { run_case(choice.run); }; });
@@ -150,6 +113,18 @@ void add_check(CLI::App& app, Choice& choice) {
       *app.add_subcommand("check", "tell sizes, resolution, memory and time; solve nothing");
   add_case_flags(command, choice);
   command.callback([&choice] { choice.action = [&choice] { check_case(choice.run); }; });
+}
+
+void add_converge(CLI::App& app, Choice& choice) {
+  CLI::App& command = *app.add_subcommand(
+      "converge", "solve on finer meshes and with more modes; tell the error of the answers");
+  add_case_flags(command, choice);
+  command
+      .add_option("-o", choice.run.output,
+                  "result folder (default: the case's name + .convergence)")
+      ->type_name("DIR");
+  command.add_flag("--fresh", choice.run.fresh, "replace the results of an earlier study");
+  command.callback([&choice] { choice.action = [&choice] { tell_convergence(choice.run); }; });
 }
 
 void add_stats(CLI::App& app, Choice& choice) {
@@ -179,16 +154,29 @@ void add_report(CLI::App& app, Choice& choice) {
   command.callback([&choice] { choice.action = [&choice] { make_report(choice.report); }; });
 }
 
+void add_status(CLI::App& app, Choice& choice) {
+  CLI::App& command = *app.add_subcommand(
+      "status", "tell how far a run is and what is left; may be asked while it works");
+  command.add_option("directory", choice.status.directory, "results of a run")
+      ->required()
+      ->type_name("DIR");
+  command.add_flag("--json", choice.status.json, "as an object for programs");
+  command.callback([&choice] { choice.action = [&choice] { tell_status(choice.status); }; });
+}
+
 void add_export(CLI::App& app, Choice& choice) {
-  CLI::App& command =
-      *app.add_subcommand("export", "write the results of a run as files of other programs");
+  CLI::App& command = *app.add_subcommand(
+      "export",
+      "make all tables and fields of a run anew from its records, or files of other programs; "
+      "solve nothing");
   ExportOptions& options = choice.exported;
   command.add_option("directory", options.directory, "results of a run")
       ->required()
       ->type_name("DIR");
-  command.add_option("--format", options.format, "netcdf (as capytaine's), wamit or paraview")
-      ->required()
-      ->type_name("FORMAT")
+  command
+      .add_option("--format", options.format,
+                  "netcdf (as capytaine's), wamit or paraview: files of that kind only")
+      ->type_name("netcdf|wamit|paraview")
       ->check(one_of("--format", "netcdf, wamit or paraview", [](const std::string& text) {
         return text == "netcdf" || text == "wamit" || text == "paraview";
       }));
@@ -214,53 +202,52 @@ void add_export(CLI::App& app, Choice& choice) {
       ->type_name("M");
   command.add_option("-o", options.output, "file to write; for wamit without its suffix")
       ->type_name("FILE");
-  command.callback(
-      [&choice] { choice.action = [&choice] { export_for_others(choice.exported); }; });
+  command.callback([&choice] { choice.action = [&choice] { export_results(choice.exported); }; });
+}
+
+void add_merge(CLI::App& app, Choice& choice) {
+  CLI::App& command =
+      *app.add_subcommand("merge", "put the parts of a sweep that ran with --shard together");
+  command.add_option("directories", choice.merge.parts, "results of the parts")
+      ->required()
+      ->type_name("DIR");
+  command.add_option("-o", choice.merge.output, "result folder")->required()->type_name("DIR");
+  command.add_flag("--fresh", choice.merge.fresh, "replace the results that are there");
+  command.callback([&choice] { choice.action = [&choice] { merge_results(choice.merge); }; });
 }
 
 // A first word that is no command gets the nearest one named
-void refuse_unknown_command(const std::string& command) {
-  const std::vector<std::string> known = {"run", "check", "stats", "report", "export", "mesh"};
+void refuse_unknown_command(const std::string& command, const CLI::App& app) {
+  std::vector<std::string> known;
+  for (const CLI::App* word : app.get_subcommands({})) known.push_back(word->get_name());
   if (command.empty() || command[0] == '-' ||
       std::find(known.begin(), known.end(), command) != known.end())
     return;
   const std::string nearest = io::nearest_name(command, known);
   throw UsageError(fmt::format(
       "unknown command {} ({})", command,
-      nearest.empty() ? "known are run, check, stats, report, export, mesh; floe --help tells more"
+      nearest.empty() ? fmt::format("known are {}; floe --help tells more", fmt::join(known, ", "))
                       : "did you mean " + nearest + "?"));
 }
 
-// Commands and flags of the documented interface that this version does not serve yet
-void refuse_later_words(int argc, char** argv) {
-  const auto refuse = [](const std::string& word) {
-    throw UsageError(
-        fmt::format("{} is not available yet in this version ({})", word, FLOE_VERSION));
-  };
-  const std::string command = argc > 1 ? argv[1] : "";
-  for (const char* later : {"status", "merge", "converge", "init"})
-    if (command == later) refuse("floe " + command);
-  refuse_unknown_command(command);
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
-    if (word == "--") return;
-    if (word == "--shard") refuse(word);
-  }
-}
-
 int parse_and_run(int argc, char** argv) {
-  refuse_later_words(argc, argv);
   Choice choice;
   CLI::App app(kAbout, "floe");
   app.set_version_flag("--version", "floe " FLOE_VERSION);
   app.require_subcommand(1);
   add_run(app, choice);
   add_check(app, choice);
+  add_converge(app, choice);
   add_stats(app, choice);
   add_report(app, choice);
+  add_status(app, choice);
   add_export(app, choice);
+  add_merge(app, choice);
   add_mesh_commands(app, choice.action);
+  add_init(app, choice.action);
+  add_documents(app, choice.action);
   app.footer(kExamples);
+  refuse_unknown_command(argc > 1 ? argv[1] : "", app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {  // --help, --version
@@ -277,6 +264,17 @@ int parse_and_run(int argc, char** argv) {
   return kDone;
 }
 
+// Programs that read the account as JSON get the error the same way
+bool speaks_json(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "--") return false;
+    if (word == "--progress=json") return true;
+    if (word == "--progress" && i + 1 < argc && std::string(argv[i + 1]) == "json") return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 int run_command_line(int argc, char** argv) {
@@ -285,6 +283,7 @@ int run_command_line(int argc, char** argv) {
     return parse_and_run(argc, argv);
   } catch (...) {
     const Failure failure = describe(std::current_exception());
+    if (speaks_json(argc, argv)) print_error_event(failure.code, failure.text);
     print_error(fmt::format("floe: error: {}\n", failure.text));
     return failure.code;
   }

@@ -31,9 +31,11 @@ Failure describe(const std::exception_ptr& error) {
   } catch (const BusyError& e) {
     return {kBusy, e.what()};
   } catch (const Interrupted& e) {
-    return {kSignal + e.signal, e.signal == SIGINT ? "interrupted" : "terminated"};
-  } catch (const TimeUp&) {
-    return {kTimeUp, "stopped by --max-time (give --resume to go on)"};
+    return {kSignal + e.signal, e.signal == SIGINT   ? "interrupted"
+                                : e.signal == SIGHUP ? "hung up"
+                                                     : "terminated"};
+  } catch (const TimeUp& e) {
+    return {kTimeUp, std::string("stopped by ") + e.by + " (give --resume to go on)"};
   } catch (const std::bad_alloc&) {
     return {kBudget, "out of memory (give fewer nodes or modes, or run floe check for the need)"};
   } catch (const std::exception& e) {

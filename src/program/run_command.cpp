@@ -5,6 +5,7 @@
 #include <floe/estimate.hpp>
 #include <floe/io/case_file.hpp>
 #include <floe/io/directory_store.hpp>
+#include <floe/numeric/blas_check.hpp>
 #include <floe/numeric/memory.hpp>
 
 #include <fmt/format.h>
@@ -43,6 +44,10 @@ class ToldStore final : public Store {
   std::optional<SeaGridReport> known_sea_grid() override { return store_.known_sea_grid(); }
   SeaTransfer known_transfer(std::size_t place) override { return store_.known_transfer(place); }
   SeaObservation known_observation() override { return store_.known_observation(); }
+  std::optional<SeaMarch> known_sea_march() override { return store_.known_sea_march(); }
+  std::optional<FluidSample> known_sea_sample(int number) override {
+    return store_.known_sea_sample(number);
+  }
 
   void begin(const Case& data, const mesh::Q8Mesh& mesh, const Estimate& plan) override {
     account_.fact("mesh", fmt::format("{}, {}, {}, {:.6g} m²", counted(mesh.node_count(), "node"),
@@ -60,12 +65,16 @@ class ToldStore final : public Store {
     store_.modes(modes, mesh);
     const std::string elastic =
         modes.count() > modes.rigid_count
-            ? fmt::format(", first elastic {:.4g} rad/s, last {:.4g}, good to {:.1g} or better",
-                          modes.omega[modes.rigid_count], modes.omega.maxCoeff(),
-                          modes.estimated_frequency_error)
+            ? fmt::format(", first elastic {:.4g} rad/s, last {:.4g}",
+                          modes.omega[modes.rigid_count], modes.omega.maxCoeff())
             : "";
-    account_.fact("modes",
-                  fmt::format("{}, {} rigid{}", modes.count(), modes.rigid_count, elastic));
+    // Of modes from elsewhere nothing is known
+    const std::string error =
+        modes.estimated_frequency_error > 0.0
+            ? fmt::format(", good to {:.1g} or better", modes.estimated_frequency_error)
+            : "";
+    account_.fact(
+        "modes", fmt::format("{}, {} rigid{}{}", modes.count(), modes.rigid_count, elastic, error));
     account_.show_warnings();
     stop_if_asked();
   }
@@ -80,6 +89,13 @@ class ToldStore final : public Store {
   void begin_seas(const SeaObservation& observation, const SeaGridReport& planned) override {
     store_.begin_seas(observation, planned);
   }
+
+  void sea_sample(int number, const FluidSample& sample) override {
+    store_.sea_sample(number, sample);
+    stop_if_asked();
+  }
+
+  void sea_march(const SeaMarch& march) override { store_.sea_march(march); }
 
   void sea_transfer(const SeaTransfer& transfer) override {
     store_.sea_transfer(transfer);
@@ -130,6 +146,13 @@ std::filesystem::path output_of(const RunOptions& options) {
   return options.case_file.stem().string() + ".out";
 }
 
+// As the earlier run planned, or what was asked for, or else what there is now
+double plan_memory_for(const RunOptions& options, const io::DirectoryStore& store) {
+  if (store.earlier_plan_memory() > 0.0) return store.earlier_plan_memory();
+  return options.memory > 0.0 ? options.memory
+                              : numeric::memory_budget(0.0, numeric::memory_limits());
+}
+
 }  // namespace
 
 std::string counted(Index count, const std::string& what) {
@@ -155,6 +178,7 @@ Case read_case_for(const RunOptions& options, Account& account) {
   for (const std::string& warning : file.warnings) account.warning(warning);
   file.data.allow_coarse = options.allow_coarse;
   file.data.memory_limit = options.memory;
+  file.data.shard = options.shard;
   return std::move(file.data);
 }
 
@@ -163,11 +187,17 @@ void run_case(const RunOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   if (options.max_time > 0.0) limit_time(options.max_time);
   Account account(options.progress);
-  const Case data = read_case_for(options, account);
+  Case data = read_case_for(options, account);
   use_threads(options.threads, account);
+  numeric::require_working_blas();
   io::DirectoryStore store(output_of(options), options.fresh    ? io::Existing::kReplace
                                                : options.resume ? io::Existing::kResume
                                                                 : io::Existing::kRefuse);
+  data.plan_memory = plan_memory_for(options, store);
+
+  if (!store.locks())
+    account.warning(store.directory().string() +
+                    ": the file system has no locks, nothing keeps a second run out");
 
   // Compute; whatever ends the run early, finished frequencies stay
   ToldStore told(store, account);
@@ -185,7 +215,8 @@ void run_case(const RunOptions& options) {
 
   // Tell where everything lies
   for (const std::string& damaged : store.damaged_records())
-    account.warning(damaged + " (computed again)");
+    account.warning(damaged + ", computed again");
+  for (const std::string& warning : warnings_of(store.checks())) account.warning(warning);
   account.show_warnings();
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   account.gap();

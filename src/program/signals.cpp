@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <ctime>
 #include <initializer_list>
 #include <optional>
@@ -25,6 +26,12 @@ extern "C" void ask_to_stop(int signal) {
   if (asked_to_stop == 0) {
     asked_at = now;
     asked_to_stop = signal;
+    static constexpr char kText[] =
+        "\nfloe: stopping when what runs now is finished (once more: at once)\n";
+    const int error = errno;
+    if (::isatty(STDERR_FILENO) == 1 && ::write(STDERR_FILENO, kText, sizeof kText - 1) < 0) {
+    }
+    errno = error;
     return;
   }
   const double since = static_cast<double>(now.tv_sec - asked_at.tv_sec) +
@@ -42,13 +49,21 @@ void open_closed_streams() {
 
 void prepare_process() {
   open_closed_streams();
+  // NOTE: HDF5 would refuse file systems without locks; our files have names of their own until
+  // they are complete, and the folder is locked
+  ::setenv("HDF5_USE_FILE_LOCKING", "FALSE", 0);
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   struct sigaction action {};
   action.sa_handler = ask_to_stop;
   sigemptyset(&action.sa_mask);
   action.sa_flags = SA_RESTART;
-  for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1}) {
+    struct sigaction before {};
+    sigaction(signal, nullptr, &before);
+    if (signal == SIGHUP && before.sa_handler == SIG_IGN) continue;
+    sigaction(signal, &action, nullptr);
+  }
 }
 
 void limit_time(double seconds) {
@@ -58,6 +73,7 @@ void limit_time(double seconds) {
 }
 
 void stop_if_asked() {
+  if (asked_to_stop == SIGUSR1) throw TimeUp{"SIGUSR1"};
   if (asked_to_stop != 0) throw Interrupted{asked_to_stop};
   if (deadline && std::chrono::steady_clock::now() > *deadline) throw TimeUp{};
 }

@@ -1,4 +1,5 @@
 #include "program/commands.hpp"
+#include "program/exit_code.hpp"
 
 #include <floe/io/case_file.hpp>
 #include <floe/io/statistics_store.hpp>
@@ -60,6 +61,13 @@ void check_seas(const io::SeaFile& file, const std::vector<double>& omega, Log& 
     require_band(climate, omega.front(), omega.back(), remedy, log);
 }
 
+// Results that replaced the run would take away what they are made from
+void require_elsewhere(const std::filesystem::path& output, const std::filesystem::path& run) {
+  std::error_code absent;
+  if (std::filesystem::equivalent(output, run, absent))
+    throw UsageError("invalid -o = " + output.string() + " (must not be the run itself)");
+}
+
 // The largest values of the longest return period
 void tell_climate(const LongTermResult& result, const Case& data, Account& account) {
   account.info(fmt::format(" scatter {}: {}, {:.2g} % of the energy outside {}",
@@ -100,6 +108,13 @@ void tell_statistics(const StatsOptions& options) {
   check_seas(file, grid.omega, log);
 
   // Put the seas on them
+  Case data = run.data();
+  data.seas = file.seas;
+  const std::filesystem::path output =
+      options.output.empty() ? options.sea_file.stem().string() + ".out" : options.output.string();
+  require_elsewhere(output, run.directory());
+  io::StatisticsStore store(output, options.fresh ? io::Existing::kReplace : io::Existing::kRefuse,
+                            data, run.fluid_mesh(), grid);
   SeaStatistics statistics(file.seas, transfers.observation(), grid.omega, grid.headings,
                            run.data().relations);
   LongTermStatistics many_years(file.climates, transfers.observation(), grid.omega, grid.headings);
@@ -107,11 +122,9 @@ void tell_statistics(const StatsOptions& options) {
     log.progress(static_cast<double>(i) / static_cast<double>(grid.omega.size()),
                  fmt::format("{:.3f} rad/s", grid.omega[i]));
     const SeaTransfer transfer = transfers.transfer(i);
-    statistics.add(transfer);
+    statistics.add(transfer, store.node_spectra(i));
     many_years.add(transfer);
   }
-  Case data = run.data();
-  data.seas = file.seas;
   const std::vector<SeaResult> results = statistics.results();
   for (const SeaResult& result : results) account.sea(result);
   const std::vector<LongTermResult> long_term = many_years.results();
@@ -121,11 +134,7 @@ void tell_statistics(const StatsOptions& options) {
   }
 
   // Store what came out
-  const std::filesystem::path output =
-      options.output.empty() ? options.sea_file.stem().string() + ".out" : options.output.string();
-  const std::vector<std::string> files =
-      io::store_statistics(output, options.fresh ? io::Existing::kReplace : io::Existing::kRefuse,
-                           data, run.fluid_mesh(), grid, results, long_term, log.warnings);
+  const std::vector<std::string> files = store.finish(results, long_term, log.warnings);
   account.show_warnings();
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   account.gap();

@@ -61,11 +61,9 @@ std::string styled(const Screen& screen, Style style, const std::string& text) {
   return fmt::format("\x1b[{}m{}\x1b[0m", code, text);
 }
 
-void ProgressBar::show(double share, const std::string& now) {
+void ProgressBar::show(double share, double left, const std::string& now) {
   const auto time = Clock::now();
   if (!screen_.terminal || (visible_ && time - drawn_ < std::chrono::milliseconds(100))) return;
-  const double elapsed = std::chrono::duration<double>(time - start_).count();
-  const double left = share > 0.02 ? elapsed * (1.0 - share) / share : -1.0;
   print("\r" + bar_text(share, left, now, screen_.columns - 1) + "\x1b[K");
   drawn_ = time;
   visible_ = true;

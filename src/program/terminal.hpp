@@ -27,14 +27,13 @@ std::string styled(const Screen& screen, Style style, const std::string& text);
 class ProgressBar {
  public:
   explicit ProgressBar(const Screen& screen) : screen_(screen) {}
-  /// At most ten times a second.
-  void show(double share, const std::string& now);
+  /// At most ten times a second; `left` [s], negative: not known.
+  void show(double share, double left, const std::string& now);
   void erase();
 
  private:
   using Clock = std::chrono::steady_clock;
   Screen screen_;
-  Clock::time_point start_ = Clock::now();
   Clock::time_point drawn_ = Clock::time_point::min();
   bool visible_ = false;
 };

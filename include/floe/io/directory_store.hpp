@@ -1,6 +1,7 @@
 #pragma once
 
 #include <floe/analysis.hpp>
+#include <floe/self_checks.hpp>
 
 #include <filesystem>
 #include <memory>
@@ -33,14 +34,24 @@ class DirectoryStore final : public Store {
   DirectoryStore(const DirectoryStore&) = delete;
   DirectoryStore& operator=(const DirectoryStore&) = delete;
 
-  /// Of the earlier run, with kResume. A record that is missing or damaged is not known.
+  /// Of the earlier run, with kResume. A record that is missing is not known; one that is damaged
+  /// is moved to records/bad/ and not known either.
   std::optional<plate::DryModes> known_modes() override;
   std::optional<FrequencyResult> known_frequency(std::size_t place) override;
+  std::optional<SeaMarch> known_sea_march() override;
+  std::optional<FluidSample> known_sea_sample(int number) override;
   std::optional<SeaGridReport> known_sea_grid() override;
   SeaTransfer known_transfer(std::size_t place) override;
   SeaObservation known_observation() override;
+  /// Case::plan_memory of the earlier run, with kResume; 0 where there is none.
+  double earlier_plan_memory() const;
+  /// Whether a second run is kept out: some network file systems have no locks.
+  bool locks() const;
   /// One sentence a record that was found damaged.
   const std::vector<std::string>& damaged_records() const;
+
+  /// What the results tell about themselves, once the run has ended.
+  const std::vector<SelfCheck>& checks() const;
 
   /// With kResume throws StoreError, naming what differs, when the earlier run was of another case.
   /// Keeps a view of `mesh` until `finish` or `stop`.
@@ -48,6 +59,8 @@ class DirectoryStore final : public Store {
   void modes(const plate::DryModes& modes, const mesh::Q8Mesh& mesh) override;
   void frequency(const FrequencyResult& result) override;
   void begin_seas(const SeaObservation& observation, const SeaGridReport& planned) override;
+  void sea_sample(int number, const FluidSample& sample) override;
+  void sea_march(const SeaMarch& march) override;
   void sea_transfer(const SeaTransfer& transfer) override;
   void node_spectrum(std::size_t result, std::size_t frequency, const VecXd& spectrum) override;
   void sea(const SeaResult& result) override;

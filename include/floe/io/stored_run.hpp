@@ -1,6 +1,8 @@
 #pragma once
 
+#include <floe/estimate.hpp>
 #include <floe/run_results.hpp>
+#include <floe/self_checks.hpp>
 
 #include <filesystem>
 #include <optional>
@@ -13,16 +15,22 @@ namespace floe::io {
 class StoredRun {
  public:
   /// Reads what is small; throws StoreError when the directory holds no result of floe, or one of
-  /// another version, or a record is damaged.
+  /// another version, or a record is damaged. `run.json` may be lost.
   explicit StoredRun(std::filesystem::path directory);
 
   const std::filesystem::path& directory() const { return directory_; }
   const Case& data() const { return data_; }                      ///< Case::seas is empty
   const std::string& case_text() const { return text_; }          ///< as the user wrote it
   const std::string& manifest_text() const { return manifest_; }  ///< records/manifest.json
+  const std::string& account_text() const { return account_; }    ///< run.json; "" if it is lost
   const std::string& status() const { return status_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
   const std::vector<StageTime>& stages() const { return stages_; }
+  /// What the run told about itself; empty where it did not come to its end.
+  const std::vector<SelfCheck>& checks() const { return checks_; }
+  int threads() const;      ///< that the run had; 1 if that is lost
+  bool wants_seas() const;  ///< the case, or the shard, asks for them
+  Estimate plan() const;    ///< what it was predicted to take
   /// One sentence a sea of the case, in its order.
   const std::vector<std::string>& sea_names() const { return sea_names_; }
   const std::vector<std::string>& sea_descriptions() const { return sea_descriptions_; }
@@ -30,7 +38,7 @@ class StoredRun {
   mesh::Q8Mesh fluid_mesh() const;
   mesh::Q8Mesh mode_mesh() const;  ///< the plate's own, or else the fluid's
   plate::DryModes modes() const;
-  std::vector<FrequencyResult> frequencies() const;  ///< those that were finished, without fields
+  std::vector<FrequencyResult> frequencies() const;  ///< those that were finished
   /// Whether the one of that place in data().omega was finished; it, with its fields.
   bool has_frequency(std::size_t place) const;
   FrequencyResult frequency(std::size_t place) const;
@@ -41,6 +49,7 @@ class StoredRun {
   bool has_transfers() const;
   SeaObservation observation() const;
   SeaGridReport sea_grid() const;
+  std::optional<SeaGridReport> finished_seas() const;  ///< nothing unless they are all done
   SeaTransfer transfer(std::size_t place) const;  ///< at the frequency of that place in the grid
 
  private:
@@ -48,9 +57,10 @@ class StoredRun {
 
   std::filesystem::path directory_;
   Case data_;
-  std::string text_, status_, manifest_;
+  std::string text_, status_, manifest_, account_;
   std::vector<std::string> warnings_, sea_names_, sea_descriptions_;
   std::vector<StageTime> stages_;
+  std::vector<SelfCheck> checks_;
 };
 
 }  // namespace floe::io

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <floe/analysis.hpp>
+
+namespace floe {
+
+/// Throws ConvergenceError naming the array and the frequency where a result holds a number that is
+/// not finite: no such number may be stored.
+void require_finite(const FrequencyResult& result);
+
+/// The same of the states of a sea's waves.
+void require_finite(const SeaTransfer& transfer);
+
+}  // namespace floe
