@@ -260,7 +260,8 @@ TEST(CaseFile, NamesPlaceValueAndRemedyOfEveryFault) {
        "period, freq, wavenumber, wavelength)"},
       {"heading_deg = [0, 30]", "", "case.toml:10:1: missing waves.heading_deg (must be a list"},
       {"rectangle =", "file = \"a.msh\"\nrectangle =",
-       "case.toml:8:1: ambiguous mesh (must hold either rectangle or file)"},
+       "case.toml:8:1: ambiguous mesh (must hold one of rectangle, disc, ring, lshape, modules, "
+       "file)"},
       // Files
       {"rectangle = { length = 300.0, width = 60.0, nx = 4, ny = 2 }", "file = \"none.msh\"",
        "case.toml:9:8: invalid mesh.file = \"none.msh\" (cannot read: No such file or directory)"},

@@ -1,5 +1,6 @@
 #include "io/record.hpp"
 
+#include "record_version.hpp"
 #include "test_case.hpp"
 
 #include <floe/numeric/error.hpp>
@@ -72,10 +73,9 @@ TEST(Record, SaysWhatIsWrong) {
   EXPECT_THAT(complaint(folder.write("b.rec", std::string(100, 'x'))),
               HasSubstr("is not one of floe"));
   small_record().write(folder.path() / "a.rec");
-  std::string newer = folder.read("a.rec");
-  newer[8] = 2;
+  const std::string newer = test::with_version(folder.read("a.rec"), 3);
   EXPECT_THAT(complaint(folder.write("b.rec", newer)),
-              HasSubstr("has the format version 2, this floe reads 1"));
+              HasSubstr("has the format version 3, this floe reads 2"));
 }
 
 }  // namespace

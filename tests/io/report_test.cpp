@@ -1,6 +1,8 @@
 #include "fabricated_results.hpp"
 #include "io/packed_array.hpp"
+#include "io/report_motions.hpp"
 #include "recorded_run.hpp"
+#include "test_paths.hpp"
 
 #include <floe/io/report.hpp>
 #include <floe/numeric/error.hpp>
@@ -104,7 +106,43 @@ TEST_F(Report, NeedsAFinishedFrequency) {
   EXPECT_THROW(page(), InputError);
 }
 
-// The page that the browser's test opens (report/tests): a whole run, coarse
+TEST_F(Report, HasTheMomentsOfEveryMode) {
+  const nlohmann::json data = data_of(page());
+  EXPECT_EQ(data["moments"]["x"].size(), 4u);
+  EXPECT_EQ(data["moments"]["y"].size(), 4u);
+}
+
+// A sea whose numbers are only there to be shown
+ReportSea shown_sea(const Case& data, Index nodes) {
+  ReportSea sea{.name = "design",
+                .text = "bretschneider (significant_height = 2), spreading cos2",
+                .mean_heading_deg = {0.0, 90.0},
+                .std = {},
+                .zero_crossing_period = {},
+                .significant = {},
+                .most_probable_maximum = {},
+                .spectrum_omega = {0.4, 0.6, 0.8},
+                .spectra = {},
+                .deflection_std = MatXd::Constant(nodes, 2, 0.2)};
+  const std::size_t count = 2 * data.quantities.size() * data.points.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    sea.std.push_back(0.1 + 0.01 * static_cast<double>(i));
+    sea.zero_crossing_period.push_back(6.5);
+    sea.significant.push_back(2.0 * sea.std.back());
+    sea.most_probable_maximum.push_back(3.9 * sea.std.back());
+    sea.spectra.insert(sea.spectra.end(), {0.01, 0.1, 0.02});
+  }
+  return sea;
+}
+
+void write_page(const std::string& name, const std::string& page) {
+  std::ofstream file(name, std::ios::binary);
+  file << page;
+  EXPECT_TRUE(file.good()) << name;
+}
+
+// The pages that the browser's test opens (report/tests): a whole run, coarse; and the same with
+// text of a hostile user
 TEST(ReportPage, OfAWholeRunIsWrittenForTheBrowser) {
   Case data = test::table1_case(20, 4);
   data.title = "Plate of Table 1, coarse";
@@ -115,21 +153,80 @@ TEST(ReportPage, OfAWholeRunIsWrittenForTheBrowser) {
   data.quantities = {response::Quantity::kDeflection, response::Quantity::kBendingMomentX};
   const test::RecordedRun run = test::run(data);
   const mesh::Q8Mesh mesh = mesh::make_rectangle(std::get<mesh::RectangleOptions>(data.mesh));
+  ReportContent content{.data = data,
+                        .mesh = mesh,
+                        .fluid_nodes = mesh.node_count(),
+                        .fluid_elements = mesh.element_count(),
+                        .modes = run.modes,
+                        .results = run.frequencies,
+                        .status = "complete",
+                        .warnings = run.warnings,
+                        .stages = {{"dry modes", 0.1, 1e8}},
+                        .case_text = "title = \"Plate of Table 1, coarse\"",
+                        .seas = {shown_sea(data, mesh.node_count())}};
+  const std::string page = report_page(content);
+  write_page(FLOE_REPORT_PAGE, page);
+  EXPECT_GT(data_of(page)["triangles"].size() + data_of(page)["surface"].size(), 3u);
+
+  const std::string attack =
+      "</script><script>window.owned = 1</script><img src=x onerror=owned=1>";
+  data.title = attack;
+  data.points.front().name = "<b>P1</b>";
+  content.warnings = {attack, "second"};
+  content.case_text = attack;
+  content.seas.front().name = attack;
+  content.seas.front().text = attack;
+  write_page(std::string(FLOE_REPORT_PAGE) + ".hostile.html", report_page(content));
+}
+
+// Motions of the waves whose fields are stored stand for the modes
+TEST(ReportPage, OfTheDirectRouteShowsTheStoredFields) {
+  Case data = test::table1_case(10, 2);
+  data.title = "Direct route";
+  data.route = SolverRoute::kDirect;
+  data.omega = {0.48, 0.6, 0.72};
+  data.heading_deg = {0.0, 45.0, 90.0};
+  for (const double omega : {0.48, 0.72})
+    for (const double heading : {0.0, 90.0}) data.fields.push_back({omega, heading});
+  data.points = {{"P1", {-150.0, -30.0}}, {"P5", {0.0, 0.0}}};
+  data.quantities = {response::Quantity::kDeflection, response::Quantity::kBendingMomentX};
+  const test::RecordedRun run = test::run(data);
+  const ReportMotions motions = stored_motions(data, run.frequencies);
+  EXPECT_EQ(motions.frequencies, (std::vector<std::size_t>{0, 2}));
+  EXPECT_EQ(motions.headings, (std::vector<std::size_t>{0, 2}));
+
+  // The last wave, ω = 0.72 from 90°, at the node of P1: the same sum over the same unknowns
+  const mesh::Q8Mesh& mesh = *run.fluid_mesh;
+  Index node = 0;
+  (mesh.nodes().colwise() - data.points[0].position).colwise().norm().minCoeff(&node);
+  const Complex shown(motions.parts(3 * node, 6), motions.parts(3 * node, 7));
+  EXPECT_LT(std::abs(shown - run.frequencies[2].point_deflection(0, 2)), 1e-12);
+
+  const plate::DryModes none;
   const std::string page = report_page({.data = data,
                                         .mesh = mesh,
                                         .fluid_nodes = mesh.node_count(),
                                         .fluid_elements = mesh.element_count(),
-                                        .modes = run.modes,
+                                        .modes = none,
                                         .results = run.frequencies,
                                         .status = "complete",
                                         .warnings = run.warnings,
-                                        .stages = {{"dry modes", 0.1, 1e8}},
-                                        .case_text = "title = \"Plate of Table 1, coarse\"",
-                                        .seas = {}});
-  std::ofstream file(FLOE_REPORT_PAGE, std::ios::binary);
-  file << page;
-  EXPECT_TRUE(file.good());
-  EXPECT_GT(data_of(page)["triangles"].size() + data_of(page)["surface"].size(), 3u);
+                                        .stages = {{"radiation", 0.1, 1e8}},
+                                        .case_text = "solver.route = \"direct\"",
+                                        .seas = {},
+                                        .motions = motions});
+  write_page(std::string(FLOE_REPORT_PAGE) + ".direct.html", page);
+  const nlohmann::json shown_data = data_of(page);
+  EXPECT_EQ(shown_data["modes"]["count"], 8);
+  EXPECT_EQ(shown_data["moments"]["y"].size(), 8u);
+  EXPECT_EQ(shown_data["waves"]["heading_deg"], (std::vector<double>{0.0, 90.0}));
+  EXPECT_EQ(shown_data["waves"]["computed"], 9);
+  EXPECT_EQ(shown_data["convergence"].size(), 3u);
+  EXPECT_TRUE(shown_data["hydrodynamics"].is_null());
+}
+
+TEST(ReportPage, OfTheDirectRouteNeedsAField) {
+  EXPECT_THROW(stored_motions(test::small_case(), {FrequencyResult{}}), StoreError);
 }
 
 }  // namespace
