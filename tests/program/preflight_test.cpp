@@ -71,6 +71,34 @@ TEST(Preflight, LooksAtThePlatesOwnMesh) {
   EXPECT_NEAR(r.nodes_per_flexural_wavelength / r.flexural_wavelength, 1.0 / 10.0, 1e-12);
 }
 
+// The limp half has the shorter wave; where its elements are much shorter, the stiff half's
+// counts again
+TEST(Preflight, LooksAtEachRegionOfThePlate) {
+  Case data = small_case();
+  data.omega = {1.4};
+  plate::PlateProperties limp = data.plate;
+  limp.youngs_modulus = 1e3;
+  limp.density = 1000.0;
+  const mesh::Q8Mesh mesh = rectangle(40.0, 20.0, 4, 2);
+  const plate::PlateRegions halves({data.plate, limp}, {0, 0, 1, 1, 0, 0, 1, 1});
+  const double stiff_wave = preflight(data, mesh).resolution.at(0).flexural_wavelength;
+  const plate::PlateRegions all_limp(limp);
+  const double limp_wave =
+      preflight(data, mesh, nullptr, &all_limp).resolution.at(0).flexural_wavelength;
+  ASSERT_LT(limp_wave, stiff_wave);
+  const Resolution r = preflight(data, mesh, nullptr, &halves).resolution.at(0);
+  EXPECT_EQ(r.flexural_wavelength, limp_wave);
+  EXPECT_NEAR(r.nodes_per_flexural_wavelength, limp_wave / 5.0, 1e-12);
+
+  // Limp is the first element alone, a fortieth as long as the longest
+  const mesh::Q8Mesh graded = rectangle(400.0, 1.0, 41, 1, 100.0);
+  std::vector<int> ends(41, 0);
+  ends.front() = 1;
+  const plate::PlateRegions end({data.plate, limp}, ends);
+  EXPECT_EQ(preflight(data, graded, nullptr, &end).resolution.at(0).flexural_wavelength,
+            stiff_wave);
+}
+
 TEST(Preflight, WarnsOfBadShapesAndUnits) {
   const Case data = small_case();
   const auto warnings = [&](const mesh::Q8Mesh& mesh) {

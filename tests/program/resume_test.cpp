@@ -1,10 +1,12 @@
 #include "floe_program.hpp"
+#include "stored_products.hpp"
+#include "sweep_cases.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <cstdlib>
+#include <chrono>
 #include <map>
 #include <random>
 
@@ -12,100 +14,62 @@
 namespace floe {
 namespace {
 
-using test::kCaseText;
+using test::expect_same_products;
+using test::kDirect;
+using test::kModalWithSeas;
 using test::ProgramResult;
 using test::run_floe;
+using test::SweepCase;
 using test::TestFolder;
-using test::with;
 using testing::HasSubstr;
 using testing::Not;
-
-const std::string kRest = R"([modes]
-count = 8
-[sea_grid]
-omega = { from = 0.4, to = 0.8 }
-[[sea]]
-name = "design"
-spectrum = "bretschneider"
-significant_height = 2.0
-significant_period = 10.0
-spreading = "cos2"
-mean_heading_deg = [0]
-allow_truncation = true
-[output]
-points = { P1 = [-150, -30], P5 = [0, 0] }
-quantities = ["deflection", "bending_moment_x"]
-)";
-
-std::string sweep(int count) {
-  return with("[0.4, 0.5]", "{ from = 0.2, to = 0.6, count = " + std::to_string(count) + " }") +
-         kRest;
-}
-
-// All products but run.json, which tells times
-std::map<std::string, std::string> products_in(const TestFolder& folder, const std::string& name) {
-  std::map<std::string, std::string> products;
-  const auto root = folder.path() / name;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(root)) {
-    const std::string file = std::filesystem::relative(entry.path(), root).string();
-    const bool record = file.starts_with("records/");
-    if (entry.is_regular_file() && file != "run.json" && !record)
-      products[file] = folder.read(name + "/" + file);
-  }
-  return products;
-}
-
-// result.nc tells when it was made, unless it is told
-const struct FixedTime {
-  FixedTime() { ::setenv("SOURCE_DATE_EPOCH", "0", 1); }
-} kFixedTime;
-
-void expect_same_products(const TestFolder& folder, const std::string& a, const std::string& b) {
-  const auto expected = products_in(folder, a), actual = products_in(folder, b);
-  ASSERT_EQ(expected.size(), actual.size());
-  for (const auto& [name, content] : expected) {
-    ASSERT_TRUE(actual.contains(name)) << name;
-    EXPECT_EQ(actual.at(name), content) << name;
-  }
-}
 
 // Seconds that the stages of solving took
 double solving_seconds(const TestFolder& folder, const std::string& name) {
   double seconds = 0.0;
   const auto run = nlohmann::json::parse(folder.read(name + "/run.json"));
   for (const auto& stage : run.at("stages"))
-    if (stage.at("stage") != "mesh" && stage.at("stage") != "dry modes")
+    if (stage.at("stage") != "mesh" && stage.at("stage") != "dry modes" &&
+        stage.at("stage") != "plate")
       seconds += stage.at("seconds").get<double>();
   return seconds;
 }
 
-TEST(Resume, AfterAKillAtAnyInstantGivesTheSameBytes) {
+class Resume : public testing::TestWithParam<SweepCase> {};
+class ResumeLong : public Resume {};
+
+const auto kName = [](const auto& sweep) { return sweep.param.name; };
+INSTANTIATE_TEST_SUITE_P(All, Resume, testing::Values(kModalWithSeas, kDirect), kName);
+INSTANTIATE_TEST_SUITE_P(All, ResumeLong, testing::Values(kModalWithSeas, kDirect), kName);
+
+// Twenty kills anywhere in the time that a run takes, each run killed twice before it goes through
+TEST_P(Resume, AfterAKillAtAnyInstantGivesTheSameBytes) {
   const TestFolder folder;
-  folder.write("case.toml", sweep(60));
-  ASSERT_EQ(run_floe(folder, "run case.toml --allow-coarse -o whole").code, 0);
+  folder.write("case.toml", GetParam().text(6));
+  const auto start = std::chrono::steady_clock::now();
+  ASSERT_EQ(run_floe(folder, "run case.toml --allow-coarse --threads 1 -o whole").code, 0);
+  const std::chrono::duration<double> whole = std::chrono::steady_clock::now() - start;
   std::mt19937 random(11);
-  std::uniform_int_distribution<int> milliseconds(20, 500);
+  std::uniform_real_distribution<double> instant(0.01, whole.count());
   int killed = 0;
-  for (int trial = 0; trial < 5; ++trial) {
+  for (int trial = 0; killed < 20 && trial < 60; ++trial) {
     std::filesystem::remove_all(folder.path() / "parts");
-    for (int attempt = 0; attempt < 100; ++attempt) {
-      const std::string limit = "0." + std::to_string(1000 + milliseconds(random)).substr(1);
+    for (int attempt = 0; attempt < 3; ++attempt) {
       const ProgramResult result =
-          attempt < 5 ? run_floe(folder, "run case.toml --allow-coarse -o parts --resume",
-                                 "timeout -s KILL " + limit)
-                      : run_floe(folder, "run case.toml --allow-coarse -o parts --resume");
+          run_floe(folder, "run case.toml --allow-coarse --threads 1 -o parts --resume",
+                   attempt < 2 ? "timeout -s KILL " + std::to_string(instant(random)) : "");
       if (result.code == 0) break;
       ASSERT_EQ(result.code, 137) << result.error;
       ++killed;
     }
-    expect_same_products(folder, "whole", "parts");
+    ASSERT_NO_FATAL_FAILURE(expect_same_products(folder, "whole", "parts")) << killed;
   }
-  EXPECT_GT(killed, 5);
+  EXPECT_GE(killed, 20);
 }
 
-TEST(Resume, GoesOnAfterMaxTime) {
+TEST_P(Resume, GoesOnAfterMaxTime) {
   const TestFolder folder;
-  folder.write("case.toml", sweep(400));
+  folder.write("case.toml", GetParam().text(400));
   ASSERT_EQ(run_floe(folder, "run case.toml --allow-coarse -o whole").code, 0);
   const std::string run = "run case.toml --allow-coarse -o parts --resume";
   const ProgramResult first = run_floe(folder, run + " --max-time 0.3s");
@@ -117,9 +81,9 @@ TEST(Resume, GoesOnAfterMaxTime) {
   expect_same_products(folder, "whole", "parts");
 }
 
-TEST(Resume, OfAFinishedRunSolvesNothing) {
+TEST_P(Resume, OfAFinishedRunSolvesNothing) {
   const TestFolder folder;
-  folder.write("case.toml", sweep(3));
+  folder.write("case.toml", GetParam().text(3));
   ASSERT_EQ(run_floe(folder, "run case.toml --allow-coarse -o whole").code, 0);
   std::filesystem::copy(folder.path() / "whole", folder.path() / "again",
                         std::filesystem::copy_options::recursive);
@@ -131,9 +95,9 @@ TEST(Resume, OfAFinishedRunSolvesNothing) {
   EXPECT_EQ(solving_seconds(folder, "again"), 0.0);
 }
 
-TEST(Resume, ComputesADamagedRecordAgainAndSaysSo) {
+TEST(ResumeWithSeas, ComputesADamagedRecordAgainAndSaysSo) {
   const TestFolder folder;
-  folder.write("case.toml", sweep(3));
+  folder.write("case.toml", kModalWithSeas.text(3));
   ASSERT_EQ(run_floe(folder, "run case.toml --allow-coarse -o whole").code, 0);
   for (const char* name : {"frequency_00002", "transfer_00005", "modes", "sea_grid"}) {
     std::filesystem::remove_all(folder.path() / "again");
@@ -145,7 +109,9 @@ TEST(Resume, ComputesADamagedRecordAgainAndSaysSo) {
     folder.write(path, record);
     const ProgramResult result = run_floe(folder, "run case.toml --allow-coarse -o again --resume");
     ASSERT_EQ(result.code, 0) << result.error;
-    EXPECT_THAT(result.output, HasSubstr(std::string(name) + ".rec is damaged (computed again)"));
+    EXPECT_THAT(result.output,
+                HasSubstr(std::string(name) + ".rec is damaged (moved to records/bad/" + name +
+                          ".rec), computed again"));
     expect_same_products(folder, "whole", "again");
     // And is good now
     EXPECT_THAT(run_floe(folder, "run case.toml --allow-coarse -o again --resume").output,
@@ -153,13 +119,52 @@ TEST(Resume, ComputesADamagedRecordAgainAndSaysSo) {
   }
 }
 
-TEST(Resume, RefusesTheResultsOfAnotherCase) {
+// A byte of every record at once, each in its turn: all are noticed and computed again
+TEST_P(ResumeLong, ComputesARecordWithAnyByteFlippedAgain) {
   const TestFolder folder;
-  folder.write("case.toml", sweep(3));
+  std::string text = GetParam().text(1);
+  const std::string mesh = "nx = 4, ny = 2";
+  folder.write("case.toml", text.replace(text.find(mesh), mesh.size(), "nx = 1, ny = 1"));
+  const std::string run = "run case.toml --allow-coarse --threads 1 ";
+  ASSERT_EQ(run_floe(folder, run + "-o whole").code, 0);
+  std::map<std::string, std::string> good;
+  std::size_t longest = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "whole/records"))
+    if (entry.path().extension() == ".rec") {
+      const std::string name = "records/" + entry.path().filename().string();
+      good[name] = folder.read("whole/" + name);
+      if (name.find("sea_observation") == std::string::npos)
+        longest = std::max(longest, good[name].size());
+    }
+  std::mt19937 random(3);
+  for (std::size_t place = 0; place < longest; ++place) {
+    std::filesystem::remove_all(folder.path() / "again");
+    std::filesystem::copy(folder.path() / "whole", folder.path() / "again",
+                          std::filesystem::copy_options::recursive);
+    for (const auto& [name, bytes] : good) {
+      std::string bad = bytes;
+      bad[place % bad.size()] ^= static_cast<char>(1u << (random() % 8));
+      folder.write("again/" + name, bad);
+    }
+    const ProgramResult result = run_floe(folder, run + "-o again --resume");
+    ASSERT_EQ(result.code, 0) << place << ": " << result.error;
+    EXPECT_THAT(result.output, HasSubstr("frequency_00001.rec is damaged (moved to records/bad/"));
+    ASSERT_NO_FATAL_FAILURE(expect_same_products(folder, "whole", "again")) << place;
+    for (const auto& [name, bytes] : good)
+      if (name.find("frequency") == std::string::npos) {  // it tells a time
+        ASSERT_TRUE(folder.read("again/" + name) == bytes) << name << " " << place;
+      }
+  }
+  RecordProperty("bytes", static_cast<int>(longest));
+}
+
+TEST_P(Resume, RefusesTheResultsOfAnotherCase) {
+  const TestFolder folder;
+  folder.write("case.toml", GetParam().text(3));
   ASSERT_EQ(run_floe(folder, "run case.toml --allow-coarse").code, 0);
-  folder.write("case.toml", "title = \"only a title\"\n" + sweep(3));
+  folder.write("case.toml", "title = \"only a title\"\n" + GetParam().text(3));
   EXPECT_EQ(run_floe(folder, "run case.toml --allow-coarse --resume").code, 0);
-  std::string other = sweep(3);
+  std::string other = GetParam().text(3);
   other.replace(other.find("thickness = 2.0"), 15, "thickness = 2.5");
   folder.write("case.toml", other);
   const ProgramResult result = run_floe(folder, "run case.toml --allow-coarse --resume");
@@ -169,9 +174,9 @@ TEST(Resume, RefusesTheResultsOfAnotherCase) {
   EXPECT_EQ(run_floe(folder, "run case.toml --allow-coarse --resume --fresh").code, 2);
 }
 
-TEST(Resume, StartsWhereThereIsNothing) {
+TEST_P(Resume, StartsWhereThereIsNothing) {
   const TestFolder folder;
-  folder.write("case.toml", sweep(2));
+  folder.write("case.toml", GetParam().text(2));
   const ProgramResult result = run_floe(folder, "run case.toml --allow-coarse --resume");
   EXPECT_EQ(result.code, 0) << result.error;
   EXPECT_THAT(result.output, Not(HasSubstr("damaged")));

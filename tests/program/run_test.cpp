@@ -1,4 +1,5 @@
 #include "floe_program.hpp"
+#include "io/netcdf_file.hpp"
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
@@ -136,6 +137,35 @@ TEST(Stats, TellTheSameOfTheSameSeaWithoutSolving) {
   // Once more only on demand
   EXPECT_EQ(run_floe(folder, "stats tiny.out --sea storm.toml").code, 9);
   EXPECT_EQ(run_floe(folder, "stats tiny.out --sea storm.toml --fresh").code, 0);
+}
+
+TEST(Stats, TellTheSpectraOfAllNodesWhereTheCaseAsks) {
+  const TestFolder folder;
+  folder.write("tiny.toml", kCaseText + kOutput + "node_spectra = true\n" + kSeaSection);
+  ASSERT_EQ(run_floe(folder, "run tiny.toml --allow-coarse").code, 0);
+  folder.write("storm.toml", kSeaFile);
+  ASSERT_EQ(run_floe(folder, "stats tiny.out --sea storm.toml").code, 0);
+  ASSERT_GT(folder.read("storm.out/node_spectra.nc").size(), 1000u);
+  const auto spectra = [&](const std::string& file) {
+    return io::NetcdfFile::open(folder.path() / file).numbers("spectrum");
+  };
+  EXPECT_EQ(spectra("storm.out/node_spectra.nc"), spectra("tiny.out/node_spectra.nc"));
+  const auto run = nlohmann::json::parse(folder.read("storm.out/run.json"));
+  EXPECT_THAT(run.at("files").get<std::vector<std::string>>(),
+              testing::Contains("node_spectra.nc"));
+}
+
+TEST(Stats, LeaveTheRunItselfAlone) {
+  const TestFolder folder;
+  folder.write("tiny.toml", kCaseText + kOutput + kSeaSection);
+  ASSERT_EQ(run_floe(folder, "run tiny.toml --allow-coarse").code, 0);
+  folder.write("storm.toml", kSeaFile);
+  const std::string before = folder.read("tiny.out/run.json");
+  const ProgramResult result =
+      run_floe(folder, "stats tiny.out --sea storm.toml -o ./tiny.out --fresh");
+  EXPECT_EQ(result.code, 2);
+  EXPECT_THAT(result.error, HasSubstr("invalid -o = ./tiny.out (must not be the run itself)"));
+  EXPECT_EQ(folder.read("tiny.out/run.json"), before);
 }
 
 TEST(Stats, NameWhatIsMissing) {
