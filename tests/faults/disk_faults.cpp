@@ -57,21 +57,38 @@ std::vector<Fault> disk_faults() {
          std::filesystem::create_directory(folder.path() / "case.out");
          folder.write("case.out/rao_points.csv", "mine");
        }},
-      {61, "RecordWithAFlippedBit", 0, "is damaged (computed again)", kCaseText, resume,
+      {61, "RecordWithAFlippedBit", 0,
+       "is damaged (moved to records/bad/frequency_00001.rec), computed again", kCaseText, resume,
        [](const TestFolder& folder) {
          run_before(folder);
          flip(folder, "case.out/records/frequency_00001.rec");
        }},
-      {61, "RecordWithoutBytes", 0, "(computed again)", kCaseText, resume,
+      {61, "RecordWithoutBytes", 0, ", computed again", kCaseText, resume,
        [](const TestFolder& folder) {
          run_before(folder);
          folder.write("case.out/records/frequency_00001.rec", "");
        }},
-      {61, "RecordCutShort", 0, "(computed again)", kCaseText, resume,
+      {61, "RecordCutShort", 0, ", computed again", kCaseText, resume,
        [](const TestFolder& folder) {
          run_before(folder);
          const std::string name = "case.out/records/frequency_00001.rec";
          folder.write(name, folder.read(name).substr(0, 200));
+       }},
+      {62, "ManifestGone", 9, "--fresh", kCaseText, resume,
+       [](const TestFolder& folder) {
+         run_before(folder);
+         std::filesystem::remove(folder.path() / "case.out/records/manifest.json");
+       }},
+      {62, "ManifestCutShort", 9, "--fresh", kCaseText, resume,
+       [](const TestFolder& folder) {
+         run_before(folder);
+         const std::string name = "case.out/records/manifest.json";
+         folder.write(name, folder.read(name).substr(0, 100));
+       }},
+      {62, "RecordsGone", 9, "--fresh", kCaseText, resume,
+       [](const TestFolder& folder) {
+         run_before(folder);
+         std::filesystem::remove_all(folder.path() / "case.out/records");
        }},
       {63, "CaseEditedBeforeResume", 9, "/options/plate/thickness", kCaseText, resume,
        run_of(with("thickness = 2.0", "thickness = 3.0"))},

@@ -1,5 +1,6 @@
 #include "fault.hpp"
 #include "rows.hpp"
+#include "test_paths.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

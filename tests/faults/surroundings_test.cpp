@@ -1,12 +1,16 @@
 #include "floe_program.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <map>
 
-// What the program runs in: locale, threads.
+// Faults of what the program runs in: locale, BLAS, memory, threads.
 namespace floe::test {
 namespace {
+
+using testing::AnyOf;
+using testing::HasSubstr;
 
 const std::string kOutput = R"([modes]
 count = 6
@@ -26,6 +30,15 @@ std::map<std::string, std::string> tables_in(const TestFolder& folder, const std
   return tables;
 }
 
+// With the sanitizers nothing can be put before their own allocations
+bool can_preload() {
+#ifdef __SANITIZE_ADDRESS__
+  return false;
+#else
+  return true;
+#endif
+}
+
 TEST(Locale, WithADecimalCommaGivesTheSameBytes) {
   const TestFolder folder;
   const std::string made =
@@ -41,6 +54,44 @@ TEST(Locale, WithADecimalCommaGivesTheSameBytes) {
   ASSERT_EQ(run_floe(folder, "run case.toml -o de", german).code, 0);
   EXPECT_EQ(tables_in(folder, "c"), tables_in(folder, "de"));
   EXPECT_EQ(run_floe(folder, "run case.toml -o bytes", "LC_ALL=C.ISO-8859-1").code, 0);
+}
+
+TEST(Blas, ThatCannotMultiplyIsNamedAtTheStart) {
+  if (!can_preload()) GTEST_SKIP() << "not with the sanitizers";
+  const TestFolder folder;
+  folder.write("case.toml", kCaseText);
+  const ProgramResult result =
+      run_floe(folder, "run case.toml", std::string("LD_PRELOAD=") + FLOE_WRONG_BLAS);
+  EXPECT_EQ(result.code, 1);
+  EXPECT_THAT(result.error,
+              HasSubstr("the BLAS library computes wrongly: error of a real product"));
+  EXPECT_THAT(result.error, HasSubstr("no such core"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "case.out"));
+}
+
+// The n-th allocation fails, for n = 1, 2, 4 … beyond all that there are; each time the program
+// says so, and going on afterwards gives what was never disturbed
+TEST(Allocations, MayFailAtAnyCount) {
+  if (!can_preload()) GTEST_SKIP() << "not with the sanitizers";
+  const TestFolder folder;
+  folder.write("case.toml", kCaseText + kOutput);
+  ASSERT_EQ(run_floe(folder, "run case.toml -o whole --threads 1").code, 0);
+  int failed = 0;
+  for (long n = 1; n < (1L << 40); n *= 2) {
+    const ProgramResult result =
+        run_floe(folder, "run case.toml -o part --resume --threads 1",
+                 std::string("OMP_NUM_THREADS=1 LD_PRELOAD=") + FLOE_FAILING_ALLOCATIONS +
+                     " FLOE_FAIL_ALLOCATION=" + std::to_string(n) + " timeout -s KILL 60");
+    if (result.code == 0 && n > 100'000) break;
+    // 7: the netCDF library tells no reason why it cannot write
+    EXPECT_THAT(result.code, AnyOf(0, 1, 6, 7)) << n << ": " << result.error;
+    if (result.code == 0) continue;  // the allocation could be done without
+    ++failed;
+    EXPECT_FALSE(result.error.empty()) << n;
+  }
+  EXPECT_GT(failed, 5);
+  ASSERT_EQ(run_floe(folder, "run case.toml -o part --resume").code, 0);
+  EXPECT_EQ(tables_in(folder, "whole"), tables_in(folder, "part"));
 }
 
 TEST(Determinism, OfEveryMethodForAnyNumberOfThreads) {

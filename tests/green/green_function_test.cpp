@@ -1,4 +1,5 @@
 #include "second_formula.hpp"
+#include "test_paths.hpp"
 
 #include <floe/green/green_function.hpp>
 #include <floe/green/green_table.hpp>

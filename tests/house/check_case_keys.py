@@ -27,8 +27,14 @@ SMALLEST = {
 PROBES = {
     "water": {"water": f"{NONE} = 1"},
     "plate": {"plate": f"{NONE} = 1"},
+    "plate.region": {"plate": f"{SMALLEST['plate']}\n[[plate.region]]\n{NONE} = 1"},
+    "plate.structure": {"plate": f"structure = {{ {NONE} = 1 }}"},
     "mesh": {"mesh": f"{NONE} = 1"},
     "mesh.rectangle": {"mesh": f"rectangle = {{ {NONE} = 1 }}"},
+    "mesh.disc": {"mesh": f"disc = {{ {NONE} = 1 }}"},
+    "mesh.ring": {"mesh": f"ring = {{ {NONE} = 1 }}"},
+    "mesh.lshape": {"mesh": f"lshape = {{ {NONE} = 1 }}"},
+    "mesh.modules": {"mesh": f"modules = {{ {NONE} = 1 }}"},
     "modes": {"modes": f"{NONE} = 1"},
     "waves": {"waves": f"{NONE} = 1"},
     "solver": {"solver": f"{NONE} = 1"},
@@ -99,9 +105,27 @@ def check_examples(floe, root):
                 yield f"{path}: an example is refused: {error.strip()}"
 
 
+def check_new_case(floe, documented):
+    """What `floe init` writes names every key but those of special seas, and is accepted."""
+    with tempfile.TemporaryDirectory() as folder:
+        made = subprocess.run([floe, "init", "new.toml", "--sea", "2", "6.3"], cwd=folder, capture_output=True, text=True, check=False)
+        if made.returncode != 0:
+            yield f"floe init: {made.stderr.strip()}"
+            return
+        text = (pathlib.Path(folder) / "new.toml").read_text(encoding="utf-8")
+    code, error = check_case(floe, text)
+    if code != 0:
+        yield f"floe init writes a case that is refused: {error.strip()}"
+    for section in ("", "water", "plate", "mesh", "modes", "waves", "solver", "sea_grid", "output"):
+        for key in sorted(documented[section]):
+            if not re.search(rf"\b{key}\b", text):
+                yield f"floe init: {section or 'at the top'} {key} is not named in what it writes"
+
+
 def check(floe, root):
     page = (root / PAGE).read_text(encoding="utf-8")
     documented = documented_keys(page)
+    new_case = list(check_new_case(floe, documented))
     complaints = list(compare("key", documented.pop(""), known_keys(floe, f"{NONE} = 1\n" + case_with({}))))
     for section in sorted(set(documented) | set(PROBES)):
         known = known_keys(floe, case_with(PROBES[section])) if section in PROBES else set()
@@ -109,7 +133,7 @@ def check(floe, root):
     message = check_case(floe, case_with({"output": f'quantities = ["{NONE}"]'}))[1]
     listed = re.search(r"must be one of (.*)\)", message)
     complaints += compare("quantity", documented_quantities(page), set(listed.group(1).split(", ")) if listed else set())
-    return complaints + list(check_examples(floe, root))
+    return complaints + new_case + list(check_examples(floe, root))
 
 
 if __name__ == "__main__":

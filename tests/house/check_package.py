@@ -52,7 +52,7 @@ def make_packages(build, folder):
 
 
 def check_lintian(packages):
-    print(run("lintian", "--allow-root", "--fail-on", "error,warning", "--suppress-tags", "no-manual-page", *packages.values()))
+    print(run("lintian", "--allow-root", "--fail-on", "error,warning", *packages.values()))
 
 
 def check_dependencies(packages):

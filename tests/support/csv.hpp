@@ -1,5 +1,9 @@
 #pragma once
 
+#if __has_include("test_paths.hpp")
+#include "test_paths.hpp"
+#endif
+
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>

@@ -1,3 +1,5 @@
+#include "test_paths.hpp"
+
 #include <csv.hpp>
 #include <gtest/gtest.h>
 

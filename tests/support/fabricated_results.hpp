@@ -37,6 +37,7 @@ inline plate::DryModes small_modes() {
   plate::DryModes modes;
   modes.omega = (VecXd(4) << 0.0, 0.0, 0.0, 1.0 / 3.0).finished();
   modes.rigid_count = 3;
+  modes.rotary_inertia = VecXd::Zero(1);
   modes.modal_mass = MatXd::Identity(4, 4);
   const mesh::Q8Mesh mesh = small_mesh();
   modes.shape = MatXd::Zero(3 * mesh.node_count(), 4);

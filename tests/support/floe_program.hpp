@@ -1,6 +1,7 @@
 #pragma once
 
 #include "test_case.hpp"
+#include "test_paths.hpp"
 
 #include <sys/wait.h>
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "mesh/file_content.hpp"
+#include "test_paths.hpp"
 
 #include <floe/mesh/mesh_file.hpp>
 #include <floe/numeric/error.hpp>

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Readers of files that come from outside, as functions of bytes. Whatever the bytes, a reader
+/// returns or throws an error of floe; anything else is a defect.
+namespace floe::fuzz {
+
+struct Target {
+  std::string name;  ///< of its corpus, a folder beside this file
+  std::function<void(std::string_view)> read;
+};
+
+const std::vector<Target>& targets();
+
+/// Reads and forgets the errors of floe.
+void run(const Target& target, std::string_view bytes);
+
+}  // namespace floe::fuzz
