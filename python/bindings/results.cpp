@@ -85,7 +85,10 @@ py::list report_list(const Frequencies& frequencies) {
         py::arg("true_residual") = report.true_residual,
         py::arg("kernel_error") = report.kernel_error,
         py::arg("reciprocity_error") = report.reciprocity_error,
-        py::arg("energy_error") = report.energy_error, py::arg("seconds") = report.seconds));
+        py::arg("energy_error") = report.energy_error,
+        py::arg("exact_residual") = report.exact_residual,
+        py::arg("residual_between_nodes") = report.residual_between_nodes,
+        py::arg("mode_change") = report.mode_change, py::arg("seconds") = report.seconds));
   }
   return list;
 }
@@ -93,14 +96,17 @@ py::list report_list(const Frequencies& frequencies) {
 py::list check_list(const RunResults& results) {
   py::list list;
   if (results.frequencies.empty() || !results.fluid_mesh) return list;
+  std::vector<FrequencyReport> reports;
+  for (const FrequencyResult& result : results.frequencies) reports.push_back(result.report);
+  const plate::PlateRegions regions = plate_regions(results.data);
+  const Preflight found = preflight(results.data, *results.fluid_mesh, nullptr,
+                                    results.data.plate_mesh.empty() ? &regions : nullptr);
   for (const SelfCheck& check :
-       self_checks(results.data, *results.fluid_mesh, results.frequencies)) {
-    const char* status = check.status == CheckStatus::kGood        ? "good"
-                         : check.status == CheckStatus::kAttention ? "attention"
-                                                                   : "bad";
+       self_checks(results.data, found.resolution, results.modes, reports)) {
     list.append(py::dict(py::arg("name") = check.name, py::arg("value") = check.value,
                          py::arg("limit") = check.limit, py::arg("omega") = check.omega,
-                         py::arg("status") = status, py::arg("meaning") = check.meaning));
+                         py::arg("status") = status_name(check.status),
+                         py::arg("meaning") = check.meaning));
   }
   return list;
 }

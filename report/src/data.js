@@ -29,10 +29,11 @@ export function decode(value) {
   return Object.fromEntries(Object.entries(value).map(([key, item]) => [key, decode(item)]));
 }
 
-// Deflection of every node in one wave, w = Σ ξ_j c_j: {re, im}, metres per metre of amplitude
+// Deflection of every node in one wave, w = Σ ξ_j c_j: {re, im}, metres per metre of amplitude; on
+// the direct route c_j are real and imaginary parts of the motions
 export function deflection(data, frequency, heading) {
   const nodes = data.surface.x.length;
-  const modes = data.modes.omega.length;
+  const modes = data.modes.count;
   const headings = data.waves.heading_deg.length;
   const re = new Float32Array(nodes);
   const im = new Float32Array(nodes);
@@ -49,10 +50,10 @@ export function deflection(data, frequency, heading) {
   return { re, im };
 }
 
-// Amplitude of a bending moment at every node in one wave, from the modes alone [N m/m per m]
+// Amplitude of a bending moment at every node in one wave, [N m/m per m]
 export function bendingMoment(data, axis, frequency, heading) {
   const nodes = data.surface.x.length;
-  const first = (frequency * data.waves.heading_deg.length + heading) * data.modes.omega.length * 2;
+  const first = (frequency * data.waves.heading_deg.length + heading) * data.modes.count * 2;
   const re = new Float32Array(nodes);
   const im = new Float32Array(nodes);
   data.moments[axis].forEach((shape, mode) => {

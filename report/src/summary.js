@@ -21,12 +21,17 @@ function proof(data) {
   const value = (name) => data.checks.find((check) => check.name === name)?.value;
   const parts = [
     ['residual', (v) => `the fluid’s equation is solved to ${number(v, 2)}`],
-    ['energy', (v) => `the waves carry away the energy lost to ${number(v, 2)}`],
+    ['energy', (v) => `energy is conserved to ${number(v, 2)}`],
     ['nodes a wavelength', (v) => `the shortest wave has ${number(v, 2)} nodes`],
   ];
   const known = parts.filter(([name]) => value(name) !== undefined && value(name) !== null);
   const text = known.map(([name, say]) => say(value(name))).join(', ');
   return element('p', { class: 'proof' }, text ? `${text[0].toUpperCase()}${text.slice(1)}. ` : '', element('a', { href: '#checks' }, 'All checks'));
+}
+
+function thickness({ thickness: [thinnest, thickest] }) {
+  if (thickest === 0) return 'as another program has modelled it';
+  return `${number(thinnest)}${thickest > thinnest ? ` to ${number(thickest)}` : ''} m thick`;
 }
 
 function solved(data) {
@@ -40,11 +45,14 @@ function solved(data) {
   const seas = (data.seas ?? []).map(
     (sea) => `Sea “${sea.name}”: ${inWords(sea.text ?? '')}; ${counted(sea.mean_heading_deg.length, 'mean heading')}`,
   );
+  const shown = omega.length * waves.heading_deg.length;
+  const some = shown < waves.computed ? `; shown are ${shown} of ${waves.computed} waves` : '';
+  const route = data.route === 'direct' ? 'plate and water in one equation' : counted(data.modes.omega.length, 'mode');
   return [
-    `${plates}${extent} m, ${number(structure.plate.thickness)} m thick, on ${depth}`,
-    `Regular waves: ${counted(omega.length, 'frequency').replace('frequencys', 'frequencies')}, ${range}; ${counted(waves.heading_deg.length, 'heading')}`,
+    `${plates}${extent} m, ${thickness(structure.plate)}, on ${depth}`,
+    `Regular waves: ${counted(omega.length, 'frequency').replace('frequencys', 'frequencies')}, ${range}; ${counted(waves.heading_deg.length, 'heading')}${some}`,
     ...(seas.length > 2 ? [`${seas.length} seas, described below`] : seas),
-    `${counted(structure.nodes, 'node')}, ${counted(data.modes.omega.length, 'mode')}, ${data.method} operator, ${duration(seconds)}`,
+    `${counted(structure.nodes, 'node')}, ${route}, ${data.method} operator, ${duration(seconds)}`,
   ];
 }
 
@@ -88,6 +96,15 @@ function largestMoment(data, axis) {
   return best;
 }
 
+// The map is a sum over the modes alone, the values at points are corrected: the larger one counts
+function largestOfBoth(data, axis) {
+  const best = largestMoment(data, axis);
+  const q = data.quantities.findIndex(({ name }) => name === `bending_moment_${axis}`);
+  if (q < 0 || data.points.length === 0) return best;
+  const at = largestAtPoints(data, q);
+  return at.value > best.value ? { ...at, ...at.point } : best;
+}
+
 const wave = ({ omega, heading }) => `ω ${number(omega)}, ${number(heading)}°`;
 const place = ({ x, y }) => `(${number(x)}, ${number(y)})`;
 
@@ -129,7 +146,7 @@ function inRegularWaves(data) {
   const plate = (label, best, unit) => rows.push([label, withUnit(best.value, unit), place(best), wave(best)]);
   plate('deflection w', largestDeflection(data), 'm/m');
   if (data.moments)
-    for (const axis of ['x', 'y']) plate(`bending moment M${axis}`, largestMoment(data, axis), 'N m/m per m');
+    for (const axis of ['x', 'y']) plate(`bending moment M${axis}`, largestOfBoth(data, axis), 'N m/m per m');
   data.quantities.forEach((quantity, q) => {
     const known = quantity.name === 'deflection' || (data.moments && /^bending_moment/.test(quantity.name));
     if (data.points.length === 0 || known) return;

@@ -85,9 +85,9 @@ test('answers what, whether to trust it, how large and where without scrolling',
     return parts.flatMap((name) => [...document.querySelectorAll(name)].map((node) => [name, inside(node)]));
   });
   assert.deepEqual(seen.filter(([, inside]) => !inside), []);
-  assert.equal(seen.length, 6, 'verdict, proof, what was solved, table, view, controls');
+  assert.equal(seen.length, 7, 'verdict, proof, what was solved, two tables, view, controls');
   const words = await tab.$eval('#summary', (node) => node.textContent);
-  for (const part of ['checks passed', '300 × 60 m', 'deflection w', 'bending moment Mx', 'P5'])
+  for (const part of ['checks passed', '300 × 60 m', 'deflection w', 'bending moment Mx', 'std. deviation', 'P5'])
     assert.ok(words.includes(part), `the summary does not say ${part}`);
   await tab.close();
 });
@@ -107,14 +107,14 @@ test('the wave, the heading and every colouring can be chosen', async () => {
   }
   const colour = selects[2];
   const labels = await colour.evaluate((node) => [...node.options].map(({ text }) => text));
-  for (const wanted of ['amplitude |w|', 'phase of w'])
+  for (const wanted of ['amplitude |w|', 'phase of w', 'bending moment Mx, amplitude', 'standard deviation, design, 0°'])
     assert.ok(labels.includes(wanted), `no map of ${wanted}`);
   const pictures = new Set();
-  for (const label of labels.slice(0, 3)) {
+  for (const label of labels.slice(0, 5)) {
     await colour.select(label);
     pictures.add((await look(tab)).sum);
   }
-  assert.equal(pictures.size, 3, 'two maps look the same');
+  assert.equal(pictures.size, 5, 'two maps look the same');
   await shoot(tab, 'chosen');
   assert.deepEqual(complaints, []);
   await tab.close();
@@ -160,17 +160,48 @@ test('turns by the mouse, tells the value under it and comes back', async () => 
   await tab.close();
 });
 
-test('curves can be changed: quantity, phase, heading', async () => {
+test('curves can be changed: quantity, phase, mean heading', async () => {
   const { tab, complaints } = await open();
   const labels = await tab.$$eval('#waves .chart, #seas .chart', (nodes) => nodes.map((node) => node.getAttribute('aria-label')));
-  assert.ok(labels.some((label) => /over the frequency/.test(label)));
+  assert.ok(labels.some((label) => /Spectra/.test(label)) && labels.some((label) => /over the frequency/.test(label)));
   for (const select of await tab.$$('#waves select, #seas select')) {
     const last = await select.evaluate((node) => node.options[node.options.length - 1].text);
     await select.select(last);
   }
-  const changed = await tab.$$eval('#waves .chart, #seas .chart', (nodes) => nodes.map((node) => node.getAttribute('aria-label')));
-  assert.ok(changed.length === labels.length && changed[0] !== labels[0]);
+  const axis = await tab.$eval('#waves', (node) => node.querySelector('select:nth-of-type(1)').value);
+  assert.ok(axis);
+  assert.match(await tab.$eval('#seas caption', (node) => node.textContent), /mean heading 90°/);
   assert.deepEqual(complaints, []);
+  await tab.close();
+});
+
+test('text of the user stays text', async () => {
+  const { tab, complaints } = await open({ file: `${page}.hostile.html` });
+  assert.match(await tab.$eval('h1', (node) => node.textContent), /^<\/script><script>window\.owned = 1/);
+  assert.equal(await tab.evaluate(() => window.owned), undefined);
+  assert.equal(await tab.$$eval('main img, main b', (nodes) => nodes.length), 0);
+  const first = await tab.$eval('main', (node) => node.firstElementChild.id);
+  assert.equal(first, 'warnings', 'warnings come first');
+  assert.deepEqual(complaints, []);
+  await shoot(tab, 'hostile');
+  await tab.close();
+});
+
+test('shows a run of the direct route by its stored waves', async () => {
+  const { tab, complaints } = await open({ file: `${page}.direct.html` });
+  const words = await tab.$eval('#summary', (node) => node.textContent);
+  for (const part of ['plate and water in one equation', 'shown are 4 of 9 waves', 'bending moment Mx'])
+    assert.ok(words.includes(part), `the summary does not say ${part}`);
+  const colour = (await tab.$$('.plate select'))[2];
+  const labels = await colour.evaluate((node) => [...node.options].map(({ text }) => text));
+  const pictures = new Set();
+  for (const label of labels) {
+    await colour.select(label);
+    pictures.add((await look(tab)).sum);
+  }
+  assert.equal(pictures.size, labels.length, 'two maps look the same');
+  assert.deepEqual(complaints, []);
+  await shoot(tab, 'direct');
   await tab.close();
 });
 
