@@ -40,6 +40,39 @@ def points_of(folder):
                 for row in rows}
 
 
+def run_program(floe, case):
+    """run.json of `floe run` on two threads."""
+    output = case.with_suffix(".out")
+    done = subprocess.run([floe, "run", case, "-o", output, "--fresh", "--progress", "none",
+                           "--threads", "2"], capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        sys.exit(f"benchmarks: {case.stem} failed:\n{done.stdout}{done.stderr}")
+    return json.loads((output / "run.json").read_text(encoding="utf-8"))
+
+
+def row_of(name, account):
+    """What every whole case tells, and how far off the program's own estimates were."""
+    stage = {entry["stage"]: entry["seconds"] for entry in account["stages"]}
+    total = sum(stage.values())
+    frequency = account["frequencies"][-1]
+    fluid = sum(stage.get(key, 0.0) for key in ("geometry", "Green function", "operator",
+                                                "radiation", "coupled equation"))
+    row = {"name": name, "N": account["nodes"], "threads": 2, "tolerance": 1e-6, "seconds": fluid,
+           "error": frequency["true_residual"], "bytes": account["peak_memory"], "total_s": total,
+           "modes_s": stage.get("dry modes", 0.0) + stage.get("plate", 0.0),
+           "radiation_s": stage.get("radiation", stage.get("coupled equation")),
+           "gmres_steps": frequency["iterations"], "applications": frequency["applications"],
+           "energy_error": frequency["energy_error"],
+           "between_nodes": frequency.get("residual_between_nodes"),
+           "exact_residual": frequency.get("exact_residual"),
+           "estimated_time_ratio": account["plan"]["estimated_seconds"] / total,
+           "estimated_memory_ratio": account["plan"]["estimated_memory"] / account["peak_memory"]}
+    print(f"benchmarks:   {name}: N {row['N']}, fluid {fluid:.3g} s, all {total:.3g} s, "
+          f"{row['bytes'] / 1e6:.0f} MB; estimated / measured: time "
+          f"{row['estimated_time_ratio']:.2f}, memory {row['estimated_memory_ratio']:.2f}", flush=True)
+    return row
+
+
 def run_case(floe, folder, name, method, nx, length=300.0, omega=1.01):
     """One row, and the deflection at its points."""
     width, ny = length / 5.0, nx // 5
@@ -48,25 +81,10 @@ def run_case(floe, folder, name, method, nx, length=300.0, omega=1.01):
     case.write_text(CASE.format(title=name, length=length, width=width, nx=nx, ny=ny,
                                 plate_nx=plate_nx, plate_ny=plate_nx // 5, omega=omega,
                                 method=method, x=-0.5 * length, y=-0.5 * width), encoding="utf-8")
-    output = case.with_suffix(".out")
-    done = subprocess.run([floe, "run", case, "-o", output, "--fresh", "--progress", "none",
-                           "--threads", "2"], capture_output=True, text=True, check=False)
-    if done.returncode != 0:
-        sys.exit(f"benchmarks: {name} failed:\n{done.stdout}{done.stderr}")
-    account = json.loads((output / "run.json").read_text(encoding="utf-8"))
-    stage = {entry["stage"]: entry["seconds"] for entry in account["stages"]}
-    [frequency] = account["frequencies"]
-    fluid = sum(stage.get(name, 0.0) for name in ("geometry", "Green function", "operator",
-                                                  "radiation"))
-    row = {"name": name, "N": account["nodes"], "threads": 2, "tolerance": 1e-6, "seconds": fluid,
-           "error": frequency["true_residual"], "bytes": account["peak_memory"],
-           "total_s": sum(stage.values()), "modes_s": stage["dry modes"],
-           "radiation_s": stage["radiation"], "length": length, "omega": omega,
-           "gmres_steps": frequency["iterations"], "energy_error": frequency["energy_error"],
-           "applications_a_mode": frequency["applications"] / 30.0}
-    print(f"benchmarks:   {name}: N {row['N']}, fluid {fluid:.3g} s, all {row['total_s']:.3g} s, "
-          f"{row['bytes'] / 1e6:.0f} MB", flush=True)
-    return row, points_of(output)
+    row = row_of(name, run_program(floe, case))
+    row.update({"length": length, "omega": omega,
+                "applications_a_mode": row["applications"] / 30.0})
+    return row, points_of(case.with_suffix(".out"))
 
 
 def add_differences(measured):
