@@ -7,15 +7,7 @@ import whole_cases
 
 CASE = """\
 title = "{title}"
-[water]
-depth = 58.5
-density = 1025.0
-gravity = 9.81
-[plate]
-thickness = 2.0
-youngs_modulus = 1.19e10
-poisson_ratio = 0.13
-density = 256.25
+""" + whole_cases.WATER_AND_PLATE + """\
 {plate_mesh}
 [mesh]
 {mesh}

@@ -6,8 +6,8 @@ import pathlib
 import subprocess
 import sys
 
-CASE = """\
-title = "{title}"
+# Of every case: the water and the plate of the paper
+WATER_AND_PLATE = """\
 [water]
 depth = 58.5
 density = 1025.0
@@ -17,6 +17,10 @@ thickness = 2.0
 youngs_modulus = 1.19e10
 poisson_ratio = 0.13
 density = 256.25
+"""
+CASE = """\
+title = "{title}"
+""" + WATER_AND_PLATE + """\
 mesh = {{ rectangle = {{ length = {length}, width = {width}, nx = {plate_nx}, ny = {plate_ny} }} }}
 [mesh]
 rectangle = {{ length = {length}, width = {width}, nx = {nx}, ny = {ny} }}

@@ -91,10 +91,9 @@ void require_light(const Case& data, const plate::PlateRegions& regions, double 
 // Of the fluid's equation (I + κ𝒢)p = ρg(ζ₀ - w) by the exact operator, relative to ρgζ₀, and what
 // it leaves between the nodes
 void check_residuals(const Case& data, const FluidModel& fluid, const green::GreenTable& green,
-                     const MatXcd& pressure, const MatXcd& deflection, FrequencyResult& result) {
+                     const MatXcd& incident, const MatXcd& pressure, const MatXcd& deflection,
+                     FrequencyResult& result) {
   const double weight = data.water.density * data.water.gravity;
-  const MatXcd incident = weight * hydro::incident_elevation(fluid.integrals.mesh().nodes(),
-                                                             result.wavenumber, fluid.heading);
   const MatXcd known = incident - weight * deflection;
   result.report.exact_residual =
       bem::sampled_residual(fluid.integrals, green, pressure, known, incident);
@@ -178,12 +177,12 @@ FrequencyResult solve_frequency_direct(const Case& data, const PlateModel& plate
   const coupling::CoupledOperator coupled(*action, compliance, weight);
 
   // Solve for all headings together
+  const MatXcd incident =
+      weight * hydro::incident_elevation(mesh.nodes(), result.wavenumber, fluid.heading);
   MatXcd total(mesh.node_count(), static_cast<Index>(fluid.heading.size()));
   clock.time("coupled equation", [&] {
     const bem::DampedWavePreconditioner preconditioner(
         mesh, green.exact(), {.plate = floating_plate(data, plate.regions, omega)});
-    const MatXcd incident =
-        weight * hydro::incident_elevation(mesh.nodes(), result.wavenumber, fluid.heading);
     const krylov::GmresReport solved = krylov::solve_gmres(
         coupled, {.action = &preconditioner}, incident, total, iteration_options(data, mesh));
     result.report.iterations = static_cast<int>(solved.iterations);
@@ -199,7 +198,7 @@ FrequencyResult solve_frequency_direct(const Case& data, const PlateModel& plate
     result.exciting_force.resize(0, total.cols());
     read_off(data, plate, fluid, compliance, green, displacement, pressure, result);
     check_physics(data, fluid, green, pressure, deflection, result);
-    check_residuals(data, fluid, green, pressure, deflection, result);
+    check_residuals(data, fluid, green, incident, pressure, deflection, result);
     require_finite(result);
   });
   result.report.kernel_error = green.sampled_error(200);

@@ -1,9 +1,10 @@
+#include "bem/worst_column.hpp"
+
 #include <floe/bem/residual_between_nodes.hpp>
 #include <floe/mesh/shape_functions.hpp>
 #include <floe/numeric/error.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 namespace floe::bem {
@@ -37,15 +38,7 @@ double residual_between_nodes(const ElementIntegrals& integrals, const green::Gr
     residual.row(i) =
         in_middle(mesh, element, b) - in_middle(mesh, element, x) - kappa * (row.transpose() * x);
   }
-  double worst = 0.0;
-  for (Index column = 0; column < x.cols(); ++column) {
-    const double mean = residual.col(column).norm() / std::sqrt(static_cast<double>(count));
-    const double scale = b.col(column).norm() / std::sqrt(static_cast<double>(b.rows()));
-    const double relative = mean / scale;
-    if (std::isnan(relative)) return relative;
-    worst = std::max(worst, relative);
-  }
-  return worst;
+  return worst_column(residual, b);
 }
 
 }  // namespace floe::bem

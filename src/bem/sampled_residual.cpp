@@ -1,8 +1,9 @@
+#include "bem/worst_column.hpp"
+
 #include <floe/bem/sampled_residual.hpp>
 #include <floe/numeric/error.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <numeric>
 #include <random>
@@ -47,15 +48,7 @@ double sampled_residual(const ElementIntegrals& integrals, const green::GreenTab
     residual.row(static_cast<Index>(i)) =
         b.row(chosen[i]) - x.row(chosen[i]) - kappa * (row.transpose() * x);
   }
-  double worst = 0.0;
-  for (Index column = 0; column < x.cols(); ++column) {
-    const double mean = residual.col(column).norm() / std::sqrt(static_cast<double>(chosen.size()));
-    const double scale = relative_to.col(column).norm() / std::sqrt(static_cast<double>(nodes));
-    const double relative = mean / scale;
-    if (std::isnan(relative)) return relative;
-    worst = std::max(worst, relative);
-  }
-  return worst;
+  return worst_column(residual, relative_to);
 }
 
 }  // namespace floe::bem
