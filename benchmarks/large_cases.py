@@ -25,7 +25,9 @@ points = {{ P1 = {point} }}
 # Meshes of more than 200,000 nodes; ring and modules fill less than a sixth of their boxes
 MESHES = {
     "disc": ["disc", "--radius", "150", "--element-size", "1.32"],
+    "disc_plate": ["disc", "--radius", "150", "--element-size", "3"],
     "ring": ["ring", "--inner-radius", "270", "--outer-radius", "300", "--element-size", "0.95"],
+    "ring_plate": ["ring", "--inner-radius", "270", "--outer-radius", "300", "--element-size", "3"],
     "modules": ["modules", "--module-length", "100", "--module-width", "20", "--gap", "80",
                 "--modules-x", "8", "--modules-y", "5", "--element-size", "1.1"],
     "modules_plate": ["modules", "--module-length", "100", "--module-width", "20", "--gap", "80",
@@ -44,14 +46,14 @@ def plate(length, nx, plate_nx, omega):
             "point": f"[{-length / 2.0}, {-length / 10.0}]", "method": "lattice"}
 
 
-def outline(mesh, point, plate_mesh=""):
-    return {"mesh": f'file = "{mesh}.msh"', "omega": 1.01, "plate_mesh": plate_mesh,
-            "point": point}
+def outline(mesh, point):
+    return {"mesh": f'file = "{mesh}.msh"', "omega": 1.01, "point": point,
+            "plate_mesh": f'mesh = {{ file = "{mesh}_plate.msh" }}'}
 
 
 def cases():
     disc, ring = outline("disc", "[-150.0, 0.0]"), outline("ring", "[-285.0, 0.0]")
-    modules = outline("modules", "[-675.0, -200.0]", 'mesh = { file = "modules_plate.msh" }')
+    modules = outline("modules", "[-675.0, -200.0]")
     return {
         "plate_300": plate(300.0, 690, 150, 1.01),
         "plate_300/direct": {**plate(300.0, 690, 150, 1.01), "route": "direct"},

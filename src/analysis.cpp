@@ -50,7 +50,7 @@ void analyse(const Case& data, Log& log, Store& store) {
   // Put the plate into the seas
   if (band.asked() && data.shard.holds_seas()) {
     if (const std::optional<SeaGridReport> known = store.known_sea_grid())
-      repeat_seas(data, *known, store);
+      repeat_seas(data, *known, log, store);
     else
       solve_seas(data, band, plate, fluid(), clock, work, log, store);
   }

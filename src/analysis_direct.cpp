@@ -172,9 +172,12 @@ FrequencyResult solve_frequency_direct(const Case& data, const PlateModel& plate
     return green::GreenTable(green::GreenFunction(nu, data.water.depth), fluid.reach);
   });
   const auto action = clock.time("operator", [&] { return make_action(fluid, green); });
+  const auto step_action = clock.time("operator", [&] { return make_step_action(fluid, green); });
   const PlateOnWater compliance =
       clock.time("plate", [&] { return PlateOnWater(data, plate, fluid, omega); });
   const coupling::CoupledOperator coupled(*action, compliance, weight);
+  const coupling::CoupledOperator step_coupled(step_action ? *step_action : *action, compliance,
+                                               weight);
 
   // Solve for all headings together
   const MatXcd incident =
@@ -183,8 +186,10 @@ FrequencyResult solve_frequency_direct(const Case& data, const PlateModel& plate
   clock.time("coupled equation", [&] {
     const bem::DampedWavePreconditioner preconditioner(
         mesh, green.exact(), {.plate = floating_plate(data, plate.regions, omega)});
-    const krylov::GmresReport solved = krylov::solve_gmres(
-        coupled, {.action = &preconditioner}, incident, total, iteration_options(data, mesh));
+    krylov::GmresOptions options = iteration_options(data, mesh);
+    if (step_action) options.step_operator = &step_coupled;
+    const krylov::GmresReport solved =
+        krylov::solve_gmres(coupled, {.action = &preconditioner}, incident, total, options);
     result.report.iterations = static_cast<int>(solved.iterations);
     result.report.applications = solved.applications;
     result.report.true_residual = solved.true_residual.maxCoeff();

@@ -170,7 +170,8 @@ FluidModel prepare_fluid(const Case& data, const Meshes& meshes, const PlateMode
     upper = upper.cwiseMax(point);
   }
   fluid.reach = 1.001 * (upper - lower).norm();
-  if (fluid.operators.sums) fluid.reach = std::max(fluid.reach, fluid.operators.sums->reach());
+  for (const auto& plan : {fluid.operators.sums, fluid.operators.step_sums})
+    if (plan) fluid.reach = std::max(fluid.reach, plan->reach());
   return fluid;
 }
 

@@ -169,16 +169,19 @@ FluidMarch begin_march(const FluidMarch::Options& options, const std::optional<S
   return {options, *earlier, std::move(samples), solve, difference};
 }
 
-}  // namespace
-
-namespace {
-
 // Hands the spectra of all nodes at one frequency to the store, if they are wanted
 NodeSpectrumSink sink_of(const Case& data, std::size_t frequency, Store& store) {
   if (!data.node_spectra) return {};
   return [&store, frequency](std::size_t result, const VecXd& spectrum) {
     store.node_spectrum(result, frequency, spectrum);
   };
+}
+
+void tell_results(const SeaStatistics& statistics, const Case& data, Log& log, Store& store) {
+  for (const SeaResult& result : statistics.results()) {
+    store.sea(result);
+    for (const std::string& warning : cut_responses(result, data)) log.warning(warning);
+  }
 }
 
 }  // namespace
@@ -253,11 +256,11 @@ void solve_seas(const Case& data, const SeaBand& band, const PlateModel& plate,
   grid.interpolation_error = march.largest_error();
   grid.solved_frequencies = march.solved();
   grid.pressure_error = waves.pressure_error();
-  for (const SeaResult& result : statistics.results()) store.sea(result);
+  tell_results(statistics, data, log, store);
   store.end_seas(grid);
 }
 
-void repeat_seas(const Case& data, const SeaGridReport& grid, Store& store) {
+void repeat_seas(const Case& data, const SeaGridReport& grid, Log& log, Store& store) {
   const SeaObservation observation = store.known_observation();
   SeaStatistics statistics(data.seas, observation, grid.omega, grid.headings, data.relations);
   store.begin_seas(observation, grid);
@@ -266,7 +269,7 @@ void repeat_seas(const Case& data, const SeaGridReport& grid, Store& store) {
     store.sea_transfer(transfer);
     statistics.add(transfer, sink_of(data, i, store));
   }
-  for (const SeaResult& result : statistics.results()) store.sea(result);
+  tell_results(statistics, data, log, store);
   store.end_seas(grid);
 }
 

@@ -80,6 +80,7 @@ struct FluidOperators {
   SolverMethod method = SolverMethod::kDense;  ///< never kAuto
   std::shared_ptr<const bem::LatticePlan> lattice;
   std::shared_ptr<const bem::FastPressurePlan> sums;
+  std::shared_ptr<const bem::FastPressurePlan> step_sums;  ///< cheaper, for the steps; or none
 };
 
 /// What the fluid needs at every frequency.
@@ -117,6 +118,9 @@ std::unique_ptr<const bem::PressureOperator> make_operator(const Case& data,
 /// I + κ𝒢 by the fast operator of the plan, or dense without a factorisation.
 std::unique_ptr<const krylov::LinearOperator> make_action(const FluidModel& fluid,
                                                           const green::GreenTable& green);
+/// The same less accurately, for the steps of the iteration; null where it would not pay.
+std::unique_ptr<const krylov::LinearOperator> make_step_action(const FluidModel& fluid,
+                                                               const green::GreenTable& green);
 /// How the iteration keeps its space.
 krylov::GmresOptions iteration_options(const Case& data, const mesh::Q8Mesh& mesh);
 FrequencyResult solve_frequency(const Case& data, const PlateModel& plate, const FluidModel& fluid,
@@ -148,7 +152,7 @@ MatXd all_zone_amplitudes(const std::vector<wave::SeaState>& seas, const mesh::Q
 /// Holds the zones against the plate and the lengths of their waves.
 void check_zones(const Case& data, const mesh::Q8Mesh& mesh, Log& log);
 /// The same from transfer functions that the store holds; no solve.
-void repeat_seas(const Case& data, const SeaGridReport& grid, Store& store);
+void repeat_seas(const Case& data, const SeaGridReport& grid, Log& log, Store& store);
 /// The residual that a solution of the fluid's equation must have.
 double residual_limit(const Case& data, const FluidModel& fluid);
 

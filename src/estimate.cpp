@@ -17,7 +17,7 @@ namespace {
 
 // Rates of one current core, rounded
 constexpr double kFactorRate = 2.5e10;   // products of small dense matrices [flop/s]
-constexpr double kSparseRate = 2e9;      // sparse Cholesky and its solves [flop/s]
+constexpr double kSparseRate = 1e9;      // sparse Cholesky and its solves [flop/s]
 constexpr double kBytesOfProgram = 5e7;  // code, libraries, tables
 constexpr double kLanczosSolves = 4.0;   // solves per mode
 
@@ -82,7 +82,7 @@ StageEstimate estimate_plate(const Sizes& s, const FluidWork& work) {
 StageEstimate estimate_radiation(const Sizes& s, const FluidCost& cost, double krylov,
                                  int threads) {
   return {.stage = "radiation",
-          .memory = cost.memory + krylov + 16.0 * s.nodes * (4.0 * s.modes + 2.0 * s.headings),
+          .memory = cost.memory + krylov + 16.0 * s.nodes * (2.5 * s.modes + 2.0 * s.headings),
           .seconds = cost.seconds / threads};
 }
 
@@ -128,15 +128,17 @@ double plan_budget(const Case& data) {
 }
 
 KrylovPlan plan_krylov(const Case& data, const mesh::Q8Mesh& mesh) {
-  // Some 20 directions a column, and scratch beside them. Where the budget is small, single
-  // precision first: blocks of fewer columns need twice the applications
+  // 30 directions a column and scratch of 8 beside them, so that all columns share one block. Where
+  // the budget is small, single precision first: blocks of fewer columns need twice the
+  // applications. Cheaper steps lose nothing by it, their residuals are recomputed anyway
   const double columns = static_cast<double>(data.route == SolverRoute::kDirect
                                                  ? static_cast<Index>(data.heading_deg.size())
                                                  : data.mode_count);
-  const double wanted = 16.0 * static_cast<double>(mesh.node_count()) * columns * 32.0;
+  const double column = 16.0 * static_cast<double>(mesh.node_count()) * columns;
   const double budget = 0.5 * plan_budget(data);
-  const bool in_float = wanted > budget;
-  return {.memory = std::min(in_float ? 0.5 * wanted : wanted, budget), .in_float = in_float};
+  const bool in_float =
+      38.0 * column > budget || has_cheaper_steps(resolve_method(data, mesh), data.tolerance);
+  return {.memory = std::min((in_float ? 23.0 : 38.0) * column, budget), .in_float = in_float};
 }
 
 Estimate estimate(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Mesh* plate_mesh,
@@ -149,8 +151,9 @@ Estimate estimate(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Mesh
   needed.method = method_name(method);
   needed.route = route_name(data.route);
   needed.nodes = mesh.node_count();
-  const double krylov = method == SolverMethod::kDense ? 0.0 : plan_krylov(data, mesh).memory;
   const FluidWork work = fluid_work(data, mesh);
+  const double krylov =
+      method == SolverMethod::kDense ? 0.0 : krylov_memory(plan_krylov(data, mesh), work);
   const StageEstimate radiation =
       estimate_radiation(s, fluid_cost(method, work), krylov, std::max(1, threads));
   needed.stages = {direct ? estimate_plate(s, work) : estimate_modes(s), radiation,

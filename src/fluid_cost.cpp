@@ -16,17 +16,28 @@ constexpr double kSmallWork = 0.04;           // grids, plans and steps of the s
 constexpr double kPointsPerElement = 9.0;     // far quadrature
 constexpr double kNearWork = 2000.0;          // kernel evaluations of the near elements, a node
 constexpr double kBytesOfIntegrals = 1000.0;  // rules, locator and sources, a node
+constexpr double kOrthogonalising = 2e-9;     // of a node and pair of directions [s]
+constexpr double kReadingOff = 1e-6;          // matrices and checks, a node and column [s]
 
-// One node's share: seconds of an application (with preconditioner), of the same for each bounding
-// box that the plates would fill, of the set-up a frequency and of the plan; bytes held
+constexpr double kCheaperStepsBelow = 3e-5;  // tolerances for which they pay
+constexpr double kPasses = 2.0;              // of cheaper steps, and what they cost in directions
+constexpr double kCheaperStepsMore = 1.35;
+constexpr double kScratch = 7.0;  // columns of the iteration beside its directions, a column
+
+// One node's share: seconds of a step's application with its preconditioner, of the same for each
+// bounding box that the plates would fill, of an application that recomputes a residual, of the
+// set-up a frequency and of the plan; bytes held. Where steps are cheaper they have their own sums
 struct Rates {
-  double application, box_application, setup, plan, bytes, box_bytes;
+  double application, box_application, check, setup, plan, bytes, box_bytes;
 };
 
-Rates rates_of(SolverMethod method) {
-  if (method == SolverMethod::kLattice) return {1.0e-7, 1.0e-7, 6e-7, 1e-7, 300.0, 200.0};
-  if (method == SolverMethod::kPfft) return {2.0e-7, 1.0e-7, 6e-6, 8.5e-5, 4300.0, 200.0};
-  return {6e-7, 0.5e-7, 1.9e-5, 1.05e-4, 7000.0, 50.0};
+Rates rates_of(SolverMethod method, bool cheaper_steps) {
+  if (method == SolverMethod::kLattice) return {1.0e-7, 1.0e-7, 2e-7, 6e-7, 3e-6, 300.0, 200.0};
+  if (method == SolverMethod::kPfft)
+    return cheaper_steps ? Rates{2.7e-7, 1.0e-7, 1.4e-6, 4e-5, 2.5e-4, 10500.0, 500.0}
+                         : Rates{2.7e-7, 1.0e-7, 3.7e-7, 1e-5, 8.5e-5, 3500.0, 200.0};
+  return cheaper_steps ? Rates{4.5e-7, 0.5e-7, 3.5e-6, 1e-4, 2.5e-4, 16000.0, 50.0}
+                       : Rates{4.5e-7, 0.5e-7, 5.0e-7, 3e-5, 1.05e-4, 4500.0, 50.0};
 }
 
 // Waves whose pressure is solved for by itself: all where forces need it, else those of the fields
@@ -58,27 +69,46 @@ FluidWork fluid_work(const Case& data, const mesh::Q8Mesh& mesh) {
                  .columns = data.route == SolverRoute::kDirect
                                 ? static_cast<double>(data.heading_deg.size())
                                 : static_cast<double>(data.mode_count),
-                 .later_columns = waves_by_themselves(data)};
+                 .later_columns = waves_by_themselves(data),
+                 .cheaper_steps = data.tolerance < kCheaperStepsBelow};
   for (const double omega : data.omega)
     work.lengths.push_back(wave::wavenumber(omega, data.water) * extent.maxCoeff());
   return work;
 }
 
 double applications_a_column(double length, double columns) {
-  return (4.5 + 0.047 * length) * std::pow(30.0 / std::max(1.0, columns), 0.4);
+  return (4.8 + 0.041 * length) * std::pow(30.0 / std::max(1.0, columns), 0.45);
+}
+
+bool has_cheaper_steps(SolverMethod method, double tolerance) {
+  return (method == SolverMethod::kPfft || method == SolverMethod::kFmm) &&
+         tolerance < kCheaperStepsBelow;
+}
+
+double krylov_memory(const KrylovPlan& plan, const FluidWork& work) {
+  double columns = 0.0;
+  for (const double length : work.lengths)
+    columns =
+        std::max(columns, work.columns * (applications_a_column(length, work.columns) *
+                                              (plan.in_float ? 0.5 * kCheaperStepsMore : 1.0) +
+                                          kScratch));
+  return std::min(plan.memory, 16.0 * work.nodes * columns);
 }
 
 FluidCost fluid_cost(SolverMethod method, const FluidWork& work) {
   if (method == SolverMethod::kDense) return dense_cost(work);
-  const Rates rates = rates_of(method);
+  const bool cheaper = work.cheaper_steps && method != SolverMethod::kLattice;
+  const Rates rates = rates_of(method, cheaper);
   const double application = rates.application + rates.box_application * work.box;
   double seconds = rates.plan;  // a node
   for (const double length : work.lengths) {
     seconds += rates.setup;
     for (const double columns : {work.columns, work.later_columns}) {
       if (columns == 0.0) continue;
-      const double directions = columns * applications_a_column(length, columns);
-      seconds += directions * application + 16.0 * directions * directions / kFactorRate;
+      const double directions =
+          columns * applications_a_column(length, columns) * (cheaper ? kCheaperStepsMore : 1.0);
+      seconds += directions * application + (cheaper ? kPasses : 1.0) * columns * rates.check +
+                 kOrthogonalising * directions * directions + kReadingOff * columns;
     }
   }
   return {.memory = work.nodes * (rates.bytes + rates.box_bytes * work.box + kBytesOfIntegrals),

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <floe/analysis.hpp>
+#include <floe/estimate.hpp>
 #include <floe/mesh/q8_mesh.hpp>
 
 #include <vector>
@@ -15,6 +16,7 @@ struct FluidWork {
   std::vector<double> lengths;  ///< k times the longer side of the box, one a frequency
   double columns = 0.0;         ///< solved together: modes, or headings of the direct route
   double later_columns = 0.0;   ///< solved by themselves: waves whose pressure is wanted
+  bool cheaper_steps = true;    ///< where there are such, see has_cheaper_steps
 };
 
 FluidWork fluid_work(const Case& data, const mesh::Q8Mesh& mesh);
@@ -24,10 +26,17 @@ struct FluidCost {
   double seconds = 0.0;  ///< of one thread, all frequencies
 };
 
-/// Operator applications a column to 1e-6: with the length of the plates in waves, and more the
-/// fewer columns share a space. Measured from kL = 31 to 240 and from 1 to 100 columns, see
+/// Steps' applications a column to 1e-6: with the length of the plates in waves, and more the fewer
+/// columns share a space. Measured from kL = 31 to 240 and from 1 to 100 columns, see
 /// docs/theory/solver.md.
 double applications_a_column(double length, double columns);
+
+/// Whether the steps go with cheaper sums, the residual with accurate ones (S.8): on general meshes
+/// where the tolerance asked for needs accurate ones.
+bool has_cheaper_steps(SolverMethod method, double tolerance);
+
+/// What the iteration will hold beside x and b in its longest solve: directions and scratch [byte].
+double krylov_memory(const KrylovPlan& plan, const FluidWork& work);
 
 /// By one of the methods, not `auto`: fixed rates of one current core, rounded, so that the same
 /// case gives the same figures on every machine.

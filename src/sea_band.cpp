@@ -19,7 +19,8 @@ constexpr double kShareBelow = 1e-3;
 constexpr double kShareAbove = 5e-3;
 constexpr double kShareTold = 0.01;
 constexpr double kShareRefused = 0.05;
-constexpr double kHighest = 50.0;  // [rad/s]
+constexpr double kShareAtEnd = 0.25;  // of a response's largest spectral value
+constexpr double kHighest = 50.0;     // [rad/s]
 
 // Where `wanted` of a sea's m0 lie below
 double quantile(const wave::SeaState& sea, double wanted) {
@@ -59,6 +60,27 @@ void judge(const std::string& sea, double outside, bool allowed, double from, do
   if (outside > kShareTold) log.warning(told + " (" + remedy + ")");
 }
 
+// The response whose spectrum is cut the most at one end of the frequencies
+struct Cut {
+  double share = 0.0;  // value at the end over the largest
+  std::size_t quantity = 0;
+  Index point = 0;
+};
+
+Cut worst_cut(const SeaResult& result, bool at_high_end) {
+  Cut worst;
+  for (std::size_t q = 0; q < result.spectra.size(); ++q) {
+    const MatXd& spectra = result.spectra[q];
+    for (Index i = 0; i < spectra.rows(); ++i) {
+      const double largest = spectra.row(i).maxCoeff();
+      if (!(largest > 0.0)) continue;
+      const double share = spectra(i, at_high_end ? spectra.cols() - 1 : 0) / largest;
+      if (share > worst.share) worst = {share, result.quantity[q], i};
+    }
+  }
+  return worst;
+}
+
 }  // namespace
 
 void require_band(const wave::SeaState& sea, double from, double to, const std::string& remedy,
@@ -78,6 +100,21 @@ void require_band(const wave::WaveClimate& climate, double from, double to,
     all += energy;
   }
   judge("scatter " + climate.name, outside / all, climate.allow_truncation, from, to, remedy, log);
+}
+
+std::vector<std::string> cut_responses(const SeaResult& result, const Case& data) {
+  std::vector<std::string> warnings;
+  for (const bool high : {false, true}) {
+    const Cut cut = worst_cut(result, high);
+    if (cut.share <= kShareAtEnd) continue;
+    warnings.push_back(fmt::format(
+        "sea {}, mean heading {:g}°: the spectrum of {} at {} is {:.0f} % of its peak where the "
+        "frequencies {}, {:.4g} rad/s: more of the response lies beyond (widen sea_grid.omega)",
+        result.sea, result.mean_heading_deg, response::label(data.quantities[cut.quantity]),
+        data.points[static_cast<std::size_t>(cut.point)].name, 100.0 * cut.share,
+        high ? "end" : "begin", high ? result.omega.back() : result.omega.front()));
+  }
+  return warnings;
 }
 
 SeaBand prepare_seas(const Case& data, const Meshes& meshes, Log& log) {

@@ -5,6 +5,7 @@
 #include <floe/sea_results.hpp>
 
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace floe {
@@ -14,6 +15,10 @@ namespace floe {
 /// what helps.
 void require_band(const wave::SeaState& sea, double from, double to, const std::string& remedy,
                   Log& log);
+
+/// A warning for each end of the frequencies where the spectrum of a response is still more than a
+/// quarter of its largest value: the peak may lie beyond. It names the worst point and quantity.
+std::vector<std::string> cut_responses(const SeaResult& result, const Case& data);
 
 /// Takes the spectrum of the deflection at all nodes [m² s/rad], of one frequency and one of the
 /// results, by its place among them.

@@ -7,12 +7,15 @@ namespace floe::bem {
 
 IterativePressureOperator::IterativePressureOperator(
     std::unique_ptr<const krylov::LinearOperator> action,
+    std::unique_ptr<const krylov::LinearOperator> step_action,
     std::unique_ptr<const krylov::LinearOperator> preconditioner,
     const krylov::GmresOptions& options, const char* name)
     : action_(std::move(action)),
+      step_action_(std::move(step_action)),
       preconditioner_(std::move(preconditioner)),
       options_(options),
       name_(name) {
+  options_.step_operator = step_action_.get();
   FLOE_VALIDATE(action_->size() == preconditioner_->size(),
                 "invalid preconditioner size = " << preconditioner_->size() << " (must be "
                                                  << action_->size() << ")");

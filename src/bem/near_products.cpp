@@ -42,54 +42,71 @@ FLOE_INLINE void sum_row(const Real* value, const std::uint16_t* column, std::si
   sum[1] = (im[0] + im[1]) + (im[2] + im[3]);
 }
 
-using Vector = double __attribute__((vector_size(8 * kNearColumns), aligned(8)));
+template <int kColumns>
+struct Vectors {
+  using Type __attribute__((vector_size(8 * kColumns), aligned(8))) = double;
+};
+template <int kColumns>
+using Vector = typename Vectors<kColumns>::Type;
 
-// The same for kNearColumns columns; gathered holds all re, then all im, of each column entry
-template <class Real>
+// The same for kColumns of kNearColumns columns; gathered holds all re, then all im, of each column
+// entry, and so does sum
+template <int kColumns, class Real>
 FLOE_INLINE void sum_row_of_many(const Real* value, const std::uint16_t* column, std::size_t count,
-                                 const double* gathered, Vector* sum) {
-  Vector re[kLanes] = {}, im[kLanes] = {};
+                                 const double* gathered, double* sum) {
+  using V = Vector<kColumns>;
+  V re[kLanes] = {}, im[kLanes] = {};
   const auto add = [&](std::size_t k, int lane) __attribute__((always_inline)) {
     const double a = value[2 * k], b = value[2 * k + 1];
-    const auto* x = reinterpret_cast<const Vector*>(gathered + 2 * kNearColumns * column[k]);
-    re[lane] += a * x[0];
-    re[lane] -= b * x[1];
-    im[lane] += a * x[1];
-    im[lane] += b * x[0];
+    const double* const at = gathered + 2 * kNearColumns * column[k];
+    const V x_re = *reinterpret_cast<const V*>(at);
+    const V x_im = *reinterpret_cast<const V*>(at + kNearColumns);
+    re[lane] += a * x_re;
+    re[lane] -= b * x_im;
+    im[lane] += a * x_im;
+    im[lane] += b * x_re;
   };
   std::size_t k = 0;
   for (; k + kLanes <= count; k += kLanes)
     for (int lane = 0; lane < kLanes; ++lane) add(k + lane, lane);
   for (int lane = 0; k < count; ++k, ++lane) add(k, lane);
-  sum[0] = (re[0] + re[1]) + (re[2] + re[3]);
-  sum[1] = (im[0] + im[1]) + (im[2] + im[3]);
+  *reinterpret_cast<V*>(sum) = (re[0] + re[1]) + (re[2] + re[3]);
+  *reinterpret_cast<V*>(sum + kNearColumns) = (im[0] + im[1]) + (im[2] + im[3]);
 }
 
+// NOTE: eight columns in one vector where that is a register; elsewhere their sixteen sums would
+// take twice the registers that there are
 template <class Real>
 FLOE_INLINE void sum_rows(const NearPattern& pattern, Index first, Index last, const Real* value,
-                          const double* gathered, Index columns, double* sums) {
+                          const double* gathered, Index columns, bool wide, double* sums) {
+  constexpr int kHalf = kNearColumns / 2;
   for (Index row = first; row < last; ++row) {
     const std::size_t begin = pattern.entry_begin(row);
     const std::size_t count = pattern.entry_begin(row + 1) - begin;
     double* const sum = sums + 2 * columns * (row - first);
-    if (columns == 1)
-      sum_row(value + 2 * begin, pattern.entry_column() + begin, count, gathered, sum);
-    else
-      sum_row_of_many(value + 2 * begin, pattern.entry_column() + begin, count, gathered,
-                      reinterpret_cast<Vector*>(sum));
+    const Real* const values = value + 2 * begin;
+    const std::uint16_t* const entries = pattern.entry_column() + begin;
+    if (columns == 1) {
+      sum_row(values, entries, count, gathered, sum);
+    } else if (wide) {
+      sum_row_of_many<kNearColumns>(values, entries, count, gathered, sum);
+    } else {
+      sum_row_of_many<kHalf>(values, entries, count, gathered, sum);
+      sum_row_of_many<kHalf>(values, entries, count, gathered + kHalf, sum + kHalf);
+    }
   }
 }
 
 FLOE_SIMD_CLONES void sum_block(const NearPattern& pattern, Index first, Index last,
                                 const float* value, const double* gathered, Index columns,
-                                double* sums) {
-  sum_rows(pattern, first, last, value, gathered, columns, sums);
+                                bool wide, double* sums) {
+  sum_rows(pattern, first, last, value, gathered, columns, wide, sums);
 }
 
 FLOE_SIMD_CLONES void sum_block(const NearPattern& pattern, Index first, Index last,
                                 const double* value, const double* gathered, Index columns,
-                                double* sums) {
-  sum_rows(pattern, first, last, value, gathered, columns, sums);
+                                bool wide, double* sums) {
+  sum_rows(pattern, first, last, value, gathered, columns, wide, sums);
 }
 
 }  // namespace
@@ -114,7 +131,8 @@ void add_near_block(const NearPattern& pattern, Index block, const Real* value,
   const Index first = block * NearPattern::kBlockRows;
   const Index last = std::min(pattern.rows(), first + NearPattern::kBlockRows);
   double sums[2 * kNearColumns * NearPattern::kBlockRows];
-  sum_block(pattern, first, last, value, gathered.data(), columns, sums);
+  sum_block(pattern, first, last, value, gathered.data(), columns, numeric::has_wide_vectors(),
+            sums);
   for (Index column = 0; column < columns; ++column)
     for (Index row = first; row < last; ++row) {
       const double* sum = sums + 2 * columns * (row - first) + column;

@@ -9,6 +9,7 @@
 #include <floe/io/stored_run.hpp>
 #include <floe/mesh/mesh_hash.hpp>
 #include <floe/preflight.hpp>
+#include <floe/sea_statistics.hpp>
 
 #include <fmt/format.h>
 #include <omp.h>
@@ -108,14 +109,17 @@ void Products::write_fields(const FrequencyResult& result) {
 // As the run itself warned; once a sea
 void Products::warn_of_truncation(const SeaResult& sea) {
   constexpr double kShareTold = 0.02;
-  if (sea.share_outside <= kShareTold) return;
-  const std::string warning =
-      fmt::format("sea {}: {:.2g} % of its m0 lie outside the frequencies that were computed",
-                  sea.sea, 100.0 * sea.share_outside);
-  const auto& told = account.warnings;
-  if (std::find(told.begin(), told.end(), warning) != told.end()) return;
-  account.warnings.push_back(warning);
-  remarks_.push_back("warning: " + warning);
+  std::vector<std::string> warnings = cut_responses(sea, data_);
+  if (sea.share_outside > kShareTold)
+    warnings.push_back(
+        fmt::format("sea {}: {:.2g} % of its m0 lie outside the frequencies that were computed",
+                    sea.sea, 100.0 * sea.share_outside));
+  for (const std::string& warning : warnings) {
+    const auto& told = account.warnings;
+    if (std::find(told.begin(), told.end(), warning) != told.end()) continue;
+    account.warnings.push_back(warning);
+    remarks_.push_back("warning: " + warning);
+  }
 }
 
 void Products::begin_seas(const std::vector<wave::SeaState>& seas,

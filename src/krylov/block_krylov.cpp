@@ -4,6 +4,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <Eigen/QR>
 
 #include <algorithm>
@@ -14,26 +15,37 @@ namespace {
 
 // Parts of residuals below this share of the tolerance are left out
 constexpr double kNegligible = 0.01;
+// Eigenvalues of a Gram matrix above this share of the largest leave directions orthogonal to 1e-13
+constexpr double kWellKnown = 1e-3;
 
-// An orthonormal basis of the directions of a block that its Gram matrix can tell apart, that is of
-// singular values above 1e-4 of the largest after scaling the columns
-MatXcd orthonormal_directions(const MatXcd& block) {
+// An orthonormal basis of the directions of a block, and how it was combined of the block's columns
+struct Directions {
+  MatXcd basis;
+  MatXcd combination;  // basis = block · combination
+};
+
+// Those that the block's Gram matrix can tell apart, that is of singular values above 1e-4 of the
+// largest after scaling the columns
+Directions orthonormal_directions(const MatXcd& block) {
   MatXcd gram = adjoint_product<Complex>({&block, 1}, block);
   const VecXd scale = gram.diagonal().real().cwiseSqrt().cwiseInverse();
   gram = scale.asDiagonal() * gram * scale.asDiagonal();
   const Eigen::SelfAdjointEigenSolver<MatXcd> eigen(gram);
   const VecXd& value = eigen.eigenvalues();  // ascending
-  const Index count = (value.array() > 1e-8 * value[value.size() - 1]).count();
-  const MatXcd combination = scale.asDiagonal() * eigen.eigenvectors().rightCols(count) *
-                             value.tail(count).cwiseSqrt().cwiseInverse().asDiagonal();
-  const MatXcd direction = product(block, combination);
+  const double largest = value[value.size() - 1];
+  const Index count = (value.array() > 1e-8 * largest).count();
+  MatXcd combination = scale.asDiagonal() * eigen.eigenvectors().rightCols(count) *
+                       value.tail(count).cwiseSqrt().cwiseInverse().asDiagonal();
+  MatXcd direction = product(block, combination);
+  if (value[value.size() - count] > kWellKnown * largest)
+    return {std::move(direction), std::move(combination)};
 
   // NOTE: small eigenvalues are known to 1e-16 of the largest only; a second time makes it right
   const MatXcd again = adjoint_product<Complex>({&direction, 1}, direction);
   const MatXcd lower = again.llt().matrixL();
   const MatXcd inverse =
       lower.adjoint().triangularView<Eigen::Upper>().solve(MatXcd::Identity(count, count));
-  return product(direction, inverse);
+  return {product(direction, inverse), combination * inverse};
 }
 
 MatXcd select_columns(const MatXcd& block, const std::vector<Index>& columns) {
@@ -41,6 +53,17 @@ MatXcd select_columns(const MatXcd& block, const std::vector<Index>& columns) {
   for (std::size_t j = 0; j < columns.size(); ++j)
     selected.col(static_cast<Index>(j)) = block.col(columns[j]);
   return selected;
+}
+
+// image_j -= v_j (v_j* image_j) for unit columns v_j; returns the factors
+VecXcd subtract_own_part(const MatXcd& v, MatXcd& image) {
+  VecXcd own(v.cols());
+#pragma omp parallel for schedule(static)
+  for (Index j = 0; j < v.cols(); ++j) {
+    own[j] = v.col(j).dot(image.col(j));
+    image.col(j) -= own[j] * v.col(j);
+  }
+  return own;
 }
 
 void append_rows(MatXcd& matrix, Index count) {
@@ -103,7 +126,11 @@ void BlockKrylov<Scalar>::expand(const MatXcd& chosen, MatXcd image) {
   // What is lost of an image is no more than rounding
   const double rounding = std::is_same_v<Scalar, Complex> ? 1e-13 : 1e-7;
   const VecXd negligible = rounding * column_norms(image);
-  const MatXcd coordinates = absorb(image, negligible);
+
+  // The most of an image of I + something is along its own direction
+  const VecXcd own = subtract_own_part(chosen, image);
+  MatXcd coordinates = absorb(image, negligible);
+  coordinates.middleRows(expanded_columns() - count, count).diagonal() += own;
   reduce(coordinates, count);
 }
 
@@ -136,31 +163,52 @@ void BlockKrylov<Scalar>::append_candidates(const MatXcd& direction) {
 template <class Scalar>
 MatXcd BlockKrylov<Scalar>::absorb(MatXcd& block, const VecXd& negligible) {
   MatXcd coordinates = MatXcd::Zero(rotation_.cols(), block.cols());
-  for (int round = 0; round < 4; ++round) {
-    // Orthogonalise; once more where that cancelled half. NOTE: leaving that to where it cancels a
-    // digit lets the loss of orthogonality multiply from step to step, and the recurrence stalls
-    const VecXd before = column_norms(block);
+  VecXd norms = column_norms(block);
+  for (int round = 0; round < 4 && (norms.array() > negligible.array()).any(); ++round) {
     if (rotation_.cols() > 0) {
-      coordinates += project_out(block);
-      const VecXd after = column_norms(block);
-      if ((after.array() < 0.5 * before.array() && after.array() > negligible.array()).any())
-        coordinates += project_out(block);
+      orthogonalise(block, norms, negligible, coordinates);
+      norms = column_norms(block);
     }
 
     // Make orthonormal directions of what is left
     std::vector<Index> active;
-    const VecXd norms = column_norms(block);
     for (Index j = 0; j < block.cols(); ++j)
       if (norms[j] > negligible[j]) active.push_back(j);
     if (active.empty()) break;
-    const MatXcd direction = orthonormal_directions(select_columns(block, active));
-    const MatXcd along = adjoint_product<Complex>({&direction, 1}, block);
-    subtract_product<Complex>({&direction, 1}, along, block);
-    append_candidates(direction);
-    append_rows(coordinates, direction.cols());
-    coordinates.bottomRows(direction.cols()) = along;
+    const bool whole = static_cast<Index>(active.size()) == block.cols();
+    const Directions made = orthonormal_directions(whole ? block : select_columns(block, active));
+    const Index count = made.basis.cols();
+    append_candidates(made.basis);
+    append_rows(coordinates, count);
+    if (whole && count == block.cols()) {  // nothing remains
+      coordinates.bottomRows(count) = made.combination.inverse();
+      break;
+    }
+    coordinates.bottomRows(count) = adjoint_product<Complex>({&made.basis, 1}, block);
+    subtract_product<Complex>({&made.basis, 1}, coordinates.bottomRows(count), block);
+    norms = column_norms(block);
   }
   return coordinates;
+}
+
+// Takes the directions of V and C out of a block, once more from columns of which that cancelled
+// half. NOTE: leaving that to where it cancels a digit lets the loss of orthogonality multiply from
+// step to step, and the recurrence stalls
+template <class Scalar>
+void BlockKrylov<Scalar>::orthogonalise(MatXcd& block, const VecXd& before, const VecXd& negligible,
+                                        MatXcd& coordinates) const {
+  coordinates += project_out(block);
+  const VecXd after = column_norms(block);
+  std::vector<Index> cancelled;
+  for (Index j = 0; j < block.cols(); ++j)
+    if (after[j] < 0.5 * before[j] && after[j] > negligible[j]) cancelled.push_back(j);
+  if (cancelled.empty()) return;
+  MatXcd part = select_columns(block, cancelled);
+  const MatXcd more = project_out(part);
+  for (std::size_t i = 0; i < cancelled.size(); ++i) {
+    coordinates.col(cancelled[i]) += more.col(static_cast<Index>(i));
+    block.col(cancelled[i]) = part.col(static_cast<Index>(i));
+  }
 }
 
 // Householder QR of `count` further columns of H, given in coordinates of V and C  (S.3)

@@ -45,6 +45,8 @@ class BlockKrylov {
 
  private:
   MatXcd absorb(MatXcd& block, const VecXd& negligible);
+  void orthogonalise(MatXcd& block, const VecXd& before, const VecXd& negligible,
+                     MatXcd& coordinates) const;
   MatXcd project_out(MatXcd& block) const;
   void append_candidates(const MatXcd& direction);
   Index expanded_columns() const { return rotation_.cols() - candidate_.cols(); }

@@ -70,14 +70,15 @@ class BlockSolve {
                      "right-hand side of columns " << first_ + 1 << " … " << first_ + b.cols()
                                                    << " is not finite");
     x.setZero();
-    State state{x, b, norms, (norms.array() > 0.0).cast<double>()};
+    State state{x, b, norms, (norms.array() > 0.0).cast<double>(), VecXd::Zero(b.cols())};
     while (!open_columns(state).empty()) {
       const VecXd before = state.relative;
+      const bool cheaper = cheaper_steps_;
       if (options_.basis == GmresOptions::Basis::single_precision)
         run_cycle<std::complex<float>>(b, state);
       else
         run_cycle<Complex>(b, state);
-      require_progress(before, state);
+      if (cheaper == cheaper_steps_) require_progress(before, state);
     }
     return state.relative;
   }
@@ -88,6 +89,7 @@ class BlockSolve {
     MatXcd residual;  // true ones
     VecXd scale;      // ‖b‖
     VecXd relative;   // ‖residual‖/‖b‖
+    VecXd unit;       // norm that the recurrence is to reach
   };
 
   std::vector<Index> open_columns(const State& state) const {
@@ -97,19 +99,23 @@ class BlockSolve {
     return open;
   }
 
-  // In units of what the recurrence is to reach
-  double unit(const State& state, Index column) const {
-    return kSafety * options_.tolerance * state.scale[column];
-  }
-  MatXcd scaled_residual(const State& state, const std::vector<Index>& open) const {
+  // In units of what the recurrence is to reach: the tolerance, or as far as the cheaper operator
+  // is worth following
+  MatXcd scaled_residual(State& state, const std::vector<Index>& open) const {
+    const double reduction = cheaper_steps_ ? options_.step_reduction : 0.0;
     MatXcd scaled(state.residual.rows(), static_cast<Index>(open.size()));
-    for (std::size_t i = 0; i < open.size(); ++i)
-      scaled.col(static_cast<Index>(i)) = state.residual.col(open[i]) / unit(state, open[i]);
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      const Index j = open[i];
+      state.unit[j] =
+          kSafety * std::max(options_.tolerance, reduction * state.relative[j]) * state.scale[j];
+      scaled.col(static_cast<Index>(i)) = state.residual.col(j) / state.unit[j];
+    }
     return scaled;
   }
 
   // Builds one Krylov space until the columns have converged or the memory is full. When the
-  // recurrence has converged but the true residuals have not, the space goes on with these
+  // recurrence has converged but the true residuals have not, the space goes on with these. A
+  // cheaper operator that does not bring them down is given up
   template <class Scalar>
   void run_cycle(const Eigen::Ref<const MatXcd>& b, State& state) {
     ++report_.cycles;
@@ -122,6 +128,7 @@ class BlockSolve {
       correct(krylov, kept, open, b, state);
       open = open_columns(state);
       const bool progress = (state.relative.array() < 0.5 * before.array()).any();
+      if (!progress && !full) cheaper_steps_ = false;
       if (open.empty() || full || !progress || steps_ == options_.max_iterations) return;
       krylov.replace_residual(scaled_residual(state, open));
     }
@@ -137,7 +144,7 @@ class BlockSolve {
       if (chosen.cols() == 0) return false;
       const MatXcd preconditioned = precondition(chosen);
       MatXcd image(chosen.rows(), chosen.cols());
-      a_.apply(preconditioned, image);
+      (cheaper_steps_ ? *options_.step_operator : a_).apply(preconditioned, image);
       report_.applications += chosen.cols();
       krylov.expand(chosen, std::move(image));
       if (flexible()) kept.push_back(preconditioned.cast<Scalar>());
@@ -154,11 +161,12 @@ class BlockSolve {
         flexible() ? krylov.combine(kept) : precondition(krylov.combine(krylov.blocks()));
     MatXcd image(correction.rows(), correction.cols());
     for (std::size_t i = 0; i < open.size(); ++i) {
-      state.x.col(open[i]) += unit(state, open[i]) * correction.col(static_cast<Index>(i));
+      state.x.col(open[i]) += state.unit[open[i]] * correction.col(static_cast<Index>(i));
       correction.col(static_cast<Index>(i)) = state.x.col(open[i]);
     }
     a_.apply(correction, image);
     report_.applications += correction.cols();
+    report_.checks += correction.cols();
     for (std::size_t i = 0; i < open.size(); ++i) {
       const Index j = open[i];
       state.residual.col(j) = b.col(j) - image.col(static_cast<Index>(i));
@@ -200,6 +208,7 @@ class BlockSolve {
   Index first_;
   GmresReport& report_;  // view
   Index steps_ = 0;
+  bool cheaper_steps_ = options_.step_operator != nullptr;
 };
 
 void check_options(const GmresOptions& options) {
@@ -214,6 +223,9 @@ void check_options(const GmresOptions& options) {
   FLOE_VALIDATE(
       options.direction_threshold >= 0.0 && options.direction_threshold < 1.0,
       "invalid threshold of directions = " << options.direction_threshold << " (must be 0 … 1)");
+  FLOE_VALIDATE(options.step_reduction > 0.0 && options.step_reduction < 1.0,
+                "invalid reduction by the cheaper operator = " << options.step_reduction
+                                                               << " (must be between 0 and 1)");
 }
 
 }  // namespace

@@ -126,7 +126,10 @@ void tell_statistics(const StatsOptions& options) {
     many_years.add(transfer);
   }
   const std::vector<SeaResult> results = statistics.results();
-  for (const SeaResult& result : results) account.sea(result);
+  for (const SeaResult& result : results) {
+    account.sea(result);
+    for (const std::string& warning : cut_responses(result, data)) log.warning(warning);
+  }
   const std::vector<LongTermResult> long_term = many_years.results();
   for (const LongTermResult& result : long_term) {
     warn_of_coarse_grid("scatter " + result.climate.name, result.grid_error, log);

@@ -119,6 +119,34 @@ TEST(Gmres, NeedsFewerApplicationsForManyColumnsThanForEachAlone) {
   EXPECT_LT(together.applications, alone);
 }
 
+TEST(Gmres, CheaperStepsLeaveTheTrueResidualOfTheOperatorItself) {
+  // Errors of 1e-5 to 1e-2 of the operator's size in what the steps see
+  const MatrixOperator a(second_kind(150, 0.6));
+  const MatXcd b = noise(150, 7, 1);
+  for (const double error : {1e-5, 1e-3, 1e-2}) {
+    const MatrixOperator cheaper(a.matrix() + error / std::sqrt(100.0) * noise(150, 150, 8));
+    MatXcd x(150, 7), exact(150, 7);
+    GmresOptions options{.tolerance = 1e-9, .step_reduction = 3.0 * error};
+    const GmresReport twin = solve_gmres(a, {}, b, exact, options);
+    options.step_operator = &cheaper;
+    const GmresReport report = solve_gmres(a, {}, b, x, options);
+    EXPECT_LE(worst_residual(a.matrix(), b, x), 1e-9) << error;
+    EXPECT_LE(report.true_residual.maxCoeff(), 1e-9);
+    EXPECT_GT(report.checks, twin.checks) << "A cannot have been asked often enough";
+    // The cheaper operator's work is all but that of the checks
+    EXPECT_LE(report.applications - report.checks, 2 * twin.applications) << error;
+  }
+}
+
+TEST(Gmres, CheaperStepsThatLeadNowhereAreGivenUp) {
+  const MatrixOperator a(second_kind(80, 0.4)), other(MatXcd(-second_kind(80, 0.4)));
+  const MatXcd b = noise(80, 3, 5);
+  MatXcd x(80, 3);
+  const GmresReport report = solve_gmres(a, {}, b, x, {.tolerance = 1e-8, .step_operator = &other});
+  EXPECT_LE(worst_residual(a.matrix(), b, x), 1e-8);
+  EXPECT_GE(report.cycles, 2);
+}
+
 TEST(Gmres, RightPreconditioningLeavesTheTrueResidual) {
   // A preconditioner that is badly scaled would fool a left-preconditioned iteration
   const Index n = 80;

@@ -62,13 +62,14 @@ FLOE_INLINE void multiply_strip(const Real* matrix, Index rows, Index columns, I
 }
 
 template <class Real>
-FLOE_INLINE void multiply_add_all(const Real* matrix, Index rows, Index columns, Index x_stride,
-                                  const Real* const* x, Real* const* y) {
-  constexpr Index kWide = 64 / sizeof(Real);
+FLOE_INLINE void multiply_all_strips(const Real* matrix, Index rows, Index columns, Index x_stride,
+                                     const Real* const* x, Real* const* y, bool wide) {
+  constexpr Index kWide = 64 / sizeof(Real), kNarrow = kWide / 2;
   Index first = 0;
-  for (; first + kWide <= rows; first += kWide)
+  for (; wide && first + kWide <= rows; first += kWide)
     multiply_strip<Real, 64>(matrix, rows, columns, x_stride, x, y, first);
-  if (first < rows) multiply_strip<Real, 32>(matrix, rows, columns, x_stride, x, y, first);
+  for (; first < rows; first += kNarrow)
+    multiply_strip<Real, 32>(matrix, rows, columns, x_stride, x, y, first);
 }
 
 template <class Real, int kBytes>
@@ -135,16 +136,28 @@ FLOE_INLINE void all_row_products(const Real* rows, Index count, Index length, c
   }
 }
 
-}  // namespace
-
-FLOE_SIMD_CLONES void multiply_add(const float* matrix, Index rows, Index columns, Index x_stride,
-                                   const float* const* x, float* const* y) {
-  multiply_add_all(matrix, rows, columns, x_stride, x, y);
+FLOE_SIMD_CLONES void multiply_strips(const float* matrix, Index rows, Index columns,
+                                      Index x_stride, const float* const* x, float* const* y,
+                                      bool wide) {
+  multiply_all_strips(matrix, rows, columns, x_stride, x, y, wide);
 }
 
-FLOE_SIMD_CLONES void multiply_add(const double* matrix, Index rows, Index columns, Index x_stride,
-                                   const double* const* x, double* const* y) {
-  multiply_add_all(matrix, rows, columns, x_stride, x, y);
+FLOE_SIMD_CLONES void multiply_strips(const double* matrix, Index rows, Index columns,
+                                      Index x_stride, const double* const* x, double* const* y,
+                                      bool wide) {
+  multiply_all_strips(matrix, rows, columns, x_stride, x, y, wide);
+}
+
+}  // namespace
+
+void multiply_add(const float* matrix, Index rows, Index columns, Index x_stride,
+                  const float* const* x, float* const* y) {
+  multiply_strips(matrix, rows, columns, x_stride, x, y, numeric::has_wide_vectors());
+}
+
+void multiply_add(const double* matrix, Index rows, Index columns, Index x_stride,
+                  const double* const* x, double* const* y) {
+  multiply_strips(matrix, rows, columns, x_stride, x, y, numeric::has_wide_vectors());
 }
 
 FLOE_SIMD_CLONES void spread_rows(const float* rows, Index count, Index length, const float* x_real,

@@ -10,9 +10,11 @@ namespace floe::bem {
 /// I + κ𝒢 behind any fast operator, solved by preconditioned block GMRES to a residual.
 class IterativePressureOperator final : public PressureOperator {
  public:
-  /// `action` is I + κ𝒢, `preconditioner` an approximation of its inverse; `name` is what method()
-  /// tells. Throws InputError when their sizes differ.
+  /// `action` is I + κ𝒢, `step_action` the same less accurately for the steps (null: `action`),
+  /// `preconditioner` an approximation of its inverse; `name` is what method() tells. Throws
+  /// InputError when their sizes differ.
   IterativePressureOperator(std::unique_ptr<const krylov::LinearOperator> action,
+                            std::unique_ptr<const krylov::LinearOperator> step_action,
                             std::unique_ptr<const krylov::LinearOperator> preconditioner,
                             const krylov::GmresOptions& options, const char* name);
 
@@ -25,7 +27,7 @@ class IterativePressureOperator final : public PressureOperator {
   const char* method() const override { return name_; }
 
  private:
-  std::unique_ptr<const krylov::LinearOperator> action_, preconditioner_;
+  std::unique_ptr<const krylov::LinearOperator> action_, step_action_, preconditioner_;
   krylov::GmresOptions options_;
   const char* name_;
 };

@@ -32,11 +32,18 @@ struct GmresOptions {
   /// good by a restart.
   enum class Basis { double_precision, single_precision };
   Basis basis = Basis::double_precision;
+  /// A cheaper operator near A, which the steps apply in its place (S.8); x is corrected and its
+  /// residual computed with A. View; null: A itself.
+  const LinearOperator* step_operator = nullptr;
+  /// Share of a residual to which the cheaper operator's steps bring it down before A is asked
+  /// again; they stop there because the difference of the operators is not much smaller.
+  double step_reduction = 1e-3;
 };
 
 struct GmresReport {
   Index iterations = 0;    ///< steps, summed over blocks
-  Index applications = 0;  ///< columns to which A was applied, the checks of the residual included
+  Index applications = 0;  ///< columns to which A, or the cheaper operator, was applied
+  Index checks = 0;        ///< those of them that only recomputed residuals, with A
   Index block_size = 0;    ///< columns solved together
   Index cycles = 0;        ///< 1 a block if nothing was restarted
   VecXd true_residual;  ///< ‖b - Ax‖/‖b‖ of each column by the operator itself; 0 where b = 0

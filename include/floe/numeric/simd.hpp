@@ -9,3 +9,18 @@
 #else
 #define FLOE_SIMD_CLONES
 #endif
+
+namespace floe::numeric {
+
+/// Whether vectors of 64 bytes are one register here. Where they are not, loops that hold many of
+/// them run out of registers and take several times as long as with vectors of 32 bytes.
+inline bool has_wide_vectors() {
+#if defined(__x86_64__) && defined(__GNUC__)
+  static const bool wide = __builtin_cpu_supports("avx512vl");
+  return wide;
+#else
+  return false;
+#endif
+}
+
+}  // namespace floe::numeric
