@@ -77,6 +77,7 @@ krylov::GmresOptions iteration_options(const Case& data, const mesh::Q8Mesh& mes
   options.tolerance = data.tolerance;
   const KrylovPlan space = plan_krylov(data, mesh);
   options.memory = space.memory;
+  options.steps_without_restart = space.steps;
   if (space.in_float) options.basis = krylov::GmresOptions::Basis::single_precision;
   return options;
 }

@@ -18,8 +18,15 @@ namespace {
 // Rates of one current core, rounded
 constexpr double kFactorRate = 2.5e10;   // products of small dense matrices [flop/s]
 constexpr double kSparseRate = 1e9;      // sparse Cholesky and its solves [flop/s]
+constexpr double kAssembling = 4.0;      // matrix, order and factor over the factor alone
+constexpr double kLoading = 3e-7;        // pressures to loads and back, a node and column [s]
 constexpr double kBytesOfProgram = 5e7;  // code, libraries, tables
 constexpr double kLanczosSolves = 4.0;   // solves per mode
+
+constexpr double kKrylovLeast = 0.25;  // of the budget, and how much of what others leave
+constexpr double kKrylovMost = 0.8;
+constexpr double kAmpleSteps = 30.0;
+constexpr double kScratch = 8.0;  // columns beside the directions of each
 
 constexpr double kSeaSolves = 40.0;    // frequencies that a sea makes the program solve
 constexpr double kSeaSamples = 9.0;    // of these in memory
@@ -71,18 +78,27 @@ StageEstimate estimate_plate(const Sizes& s, const FluidWork& work) {
   const double factor = 31.0 * unknowns * std::log2(std::max(2.0, unknowns)) / 4.0;
   double seconds = 0.0;
   for (const double length : work.lengths) {
-    const double solves = 2.0 * work.columns * applications_a_column(length, work.columns);
-    seconds += (400.0 * std::pow(unknowns, 1.5) / 4.0 + solves * 4.0 * factor) / kSparseRate;
+    const double applications = work.columns * applications_a_column(length, work.columns);
+    seconds +=
+        (kAssembling * 400.0 * std::pow(unknowns, 1.5) / 4.0 + 2.0 * applications * 4.0 * factor) /
+            kSparseRate +
+        kLoading * applications * s.nodes;
   }
   return {
       .stage = "plate", .memory = 16.0 * 4.0 * 60.0 * unknowns + 16.0 * factor, .seconds = seconds};
 }
 
-// The operator, the Krylov space and, beside them, right-hand sides, solutions and residuals
-StageEstimate estimate_radiation(const Sizes& s, const FluidCost& cost, double krylov,
+// Right-hand sides, solutions and residuals
+double columns_memory(double nodes, const Case& data) {
+  const double modes = data.route == SolverRoute::kDirect ? 0.0 : data.mode_count;
+  return 16.0 * nodes * (2.5 * modes + 2.0 * static_cast<double>(data.heading_deg.size()));
+}
+
+// The operator, the Krylov space and the columns beside them
+StageEstimate estimate_radiation(const FluidCost& cost, double krylov, double columns,
                                  int threads) {
   return {.stage = "radiation",
-          .memory = cost.memory + krylov + 16.0 * s.nodes * (2.5 * s.modes + 2.0 * s.headings),
+          .memory = cost.memory + krylov + columns,
           .seconds = cost.seconds / threads};
 }
 
@@ -128,17 +144,30 @@ double plan_budget(const Case& data) {
 }
 
 KrylovPlan plan_krylov(const Case& data, const mesh::Q8Mesh& mesh) {
-  // 30 directions a column and scratch of 8 beside them, so that all columns share one block. Where
-  // the budget is small, single precision first: blocks of fewer columns need twice the
-  // applications. Cheaper steps lose nothing by it, their residuals are recomputed anyway
-  const double columns = static_cast<double>(data.route == SolverRoute::kDirect
-                                                 ? static_cast<Index>(data.heading_deg.size())
-                                                 : data.mode_count);
-  const double column = 16.0 * static_cast<double>(mesh.node_count()) * columns;
-  const double budget = 0.5 * plan_budget(data);
-  const bool in_float =
-      38.0 * column > budget || has_cheaper_steps(resolve_method(data, mesh), data.tolerance);
-  return {.memory = std::min((in_float ? 23.0 : 38.0) * column, budget), .in_float = in_float};
+  const SolverMethod method = resolve_method(data, mesh);
+  const FluidWork work = fluid_work(data, mesh);
+  const double all = plan_budget(data);
+  const double others = fluid_cost(method, work).memory +
+                        columns_memory(static_cast<double>(mesh.node_count()), data);
+  const double budget = std::max(kKrylovLeast * all, kKrylovMost * (all - others));
+
+  // Room for all columns in one block. Where the budget is small, single precision first, then as
+  // many directions as expected: blocks of fewer columns need twice the applications. Cheaper steps
+  // lose nothing by single precision, their residuals are recomputed anyway
+  double longest = 0.0;
+  for (const double length : work.lengths) longest = std::max(longest, length);
+  const double expected = std::ceil(1.4 * applications_a_column(longest, work.columns)) + 2.0;
+  const double column = 16.0 * work.nodes * work.columns;
+  const auto need = [&](double steps, bool in_float) {
+    return ((in_float ? 0.5 : 1.0) * steps + kScratch) * column;
+  };
+  KrylovPlan plan;
+  double steps = std::max(kAmpleSteps, expected);
+  plan.in_float = need(steps, false) > budget || has_cheaper_steps(method, data.tolerance);
+  if (need(steps, plan.in_float) > budget) steps = expected;
+  plan.steps = static_cast<Index>(steps);
+  plan.memory = std::min(need(steps, plan.in_float), budget);
+  return plan;
 }
 
 Estimate estimate(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Mesh* plate_mesh,
@@ -154,8 +183,8 @@ Estimate estimate(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Mesh
   const FluidWork work = fluid_work(data, mesh);
   const double krylov =
       method == SolverMethod::kDense ? 0.0 : krylov_memory(plan_krylov(data, mesh), work);
-  const StageEstimate radiation =
-      estimate_radiation(s, fluid_cost(method, work), krylov, std::max(1, threads));
+  const StageEstimate radiation = estimate_radiation(
+      fluid_cost(method, work), krylov, columns_memory(s.nodes, data), std::max(1, threads));
   needed.stages = {direct ? estimate_plate(s, work) : estimate_modes(s), radiation,
                    estimate_response(s)};
   if (!data.seas.empty() || (data.sea_grid.from && data.sea_grid.to))

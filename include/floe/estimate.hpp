@@ -37,8 +37,9 @@ double plan_budget(const Case& data);
 
 /// The Krylov space of an iterative solution.
 struct KrylovPlan {
-  double memory = 0.0;    ///< what all modes need together, at most half of the budget [byte]
-  bool in_float = false;  ///< kept in single precision, where double does not fit
+  double memory = 0.0;    ///< what all columns need together, less where the budget is small [byte]
+  Index steps = 0;        ///< for which there is room
+  bool in_float = false;  ///< in single precision: where double does not fit or gains nothing
 };
 KrylovPlan plan_krylov(const Case& data, const mesh::Q8Mesh& mesh);
 
