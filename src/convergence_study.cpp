@@ -114,7 +114,10 @@ AnswerStore solve(const Case& data, Log& log, int part) {
   AnswerStore store;
   PartOfLog told(log, part, kMeshes + 1);
   analyse(data, told, store);
-  log.info(fmt::format("solved with {} nodes and {} modes", store.nodes, data.mode_count));
+  const std::string modes = data.route == SolverRoute::kModal
+                                ? fmt::format(" and {} modes", data.mode_count)
+                                : ", without modes";
+  log.info(fmt::format("solved with {} nodes{}", store.nodes, modes));
   return store;
 }
 

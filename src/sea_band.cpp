@@ -19,8 +19,9 @@ constexpr double kShareBelow = 1e-3;
 constexpr double kShareAbove = 5e-3;
 constexpr double kShareTold = 0.01;
 constexpr double kShareRefused = 0.05;
-constexpr double kShareAtEnd = 0.25;  // of a response's largest spectral value
-constexpr double kHighest = 50.0;     // [rad/s]
+constexpr double kShareThatMatters = 0.01;  // of the largest at any point: a free edge has none
+constexpr double kShareAtEnd = 0.25;        // of a response's largest spectral value
+constexpr double kHighest = 50.0;           // [rad/s]
 
 // Where `wanted` of a sea's m0 lie below
 double quantile(const wave::SeaState& sea, double wanted) {
@@ -73,7 +74,7 @@ Cut worst_cut(const SeaResult& result, bool at_high_end) {
     const MatXd& spectra = result.spectra[q];
     for (Index i = 0; i < spectra.rows(); ++i) {
       const double largest = spectra.row(i).maxCoeff();
-      if (!(largest > 0.0)) continue;
+      if (!(largest > kShareThatMatters * spectra.maxCoeff())) continue;
       const double share = spectra(i, at_high_end ? spectra.cols() - 1 : 0) / largest;
       if (share > worst.share) worst = {share, result.quantity[q], i};
     }

@@ -22,9 +22,12 @@ std::vector<std::string> comments(const Case& data, const ConvergenceStudy& stud
                                   const std::string& what) {
   std::vector<std::string> lines = {what};
   if (!data.title.empty()) lines.push_back(data.title);
-  lines.push_back(fmt::format("meshes of {}, {} and {} nodes with {} modes, the first also with {}",
-                              study.nodes.at(0), study.nodes.at(1), study.nodes.at(2), study.modes,
-                              study.more_modes));
+  const std::string modes =
+      data.route == SolverRoute::kDirect
+          ? ", without modes"
+          : fmt::format(" with {} modes, the first also with {}", study.modes, study.more_modes);
+  lines.push_back(fmt::format("meshes of {}, {} and {} nodes{}", study.nodes.at(0),
+                              study.nodes.at(1), study.nodes.at(2), modes));
   return lines;
 }
 

