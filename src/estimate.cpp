@@ -16,12 +16,12 @@ namespace floe {
 namespace {
 
 // Rates of one current core, rounded
-constexpr double kFactorRate = 2.5e10;   // products of small dense matrices [flop/s]
-constexpr double kSparseRate = 1e9;      // sparse Cholesky and its solves [flop/s]
-constexpr double kAssembling = 4.0;      // matrix, order and factor over the factor alone
-constexpr double kLoading = 3e-7;        // pressures to loads and back, a node and column [s]
-constexpr double kBytesOfProgram = 5e7;  // code, libraries, tables
-constexpr double kLanczosSolves = 4.0;   // solves per mode
+constexpr double kFactorRate = 2.5e10;     // products of small dense matrices [flop/s]
+constexpr double kSparseRate = 1e9;        // sparse Cholesky and its solves [flop/s]
+constexpr double kAssembling = 4.0;        // matrix, order and factor over the factor alone
+constexpr double kLoading = 3e-7;          // pressures to loads and back, a node and column [s]
+constexpr double kBytesOfProgram = 2.5e7;  // code, libraries, tables
+constexpr double kLanczosSolves = 4.0;     // solves per mode
 
 constexpr double kKrylovLeast = 0.25;  // of the budget, and how much of what others leave
 constexpr double kKrylovMost = 0.8;
