@@ -186,7 +186,7 @@ FrequencyResult solve_frequency_direct(const Case& data, const PlateModel& plate
   clock.time("coupled equation", [&] {
     const bem::DampedWavePreconditioner preconditioner(
         mesh, green.exact(), {.plate = floating_plate(data, plate.regions, omega)});
-    krylov::GmresOptions options = iteration_options(data, mesh);
+    krylov::GmresOptions options = iteration_options(data, fluid);
     if (step_action) options.step_operator = &step_coupled;
     const krylov::GmresReport solved =
         krylov::solve_gmres(coupled, {.action = &preconditioner}, incident, total, options);

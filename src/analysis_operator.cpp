@@ -41,6 +41,7 @@ bem::SumEngine engine_of(SolverMethod method) {
 FluidOperators prepare_operators(const Case& data, const mesh::Q8Mesh& mesh, double highest) {
   FluidOperators plans;
   plans.method = resolve_method(data, mesh);
+  plans.space = plan_krylov(data, mesh);
   if (plans.method == SolverMethod::kLattice)
     plans.lattice = std::make_shared<const bem::LatticePlan>(mesh);
   if (plans.method != SolverMethod::kPfft && plans.method != SolverMethod::kFmm) return plans;
@@ -72,10 +73,10 @@ std::unique_ptr<const krylov::LinearOperator> make_step_action(const FluidModel&
   return std::make_unique<const bem::FastPressureOperator>(fluid.operators.step_sums, green);
 }
 
-krylov::GmresOptions iteration_options(const Case& data, const mesh::Q8Mesh& mesh) {
+krylov::GmresOptions iteration_options(const Case& data, const FluidModel& fluid) {
   krylov::GmresOptions options;
   options.tolerance = data.tolerance;
-  const KrylovPlan space = plan_krylov(data, mesh);
+  const KrylovPlan& space = fluid.operators.space;
   options.memory = space.memory;
   options.steps_without_restart = space.steps;
   if (space.in_float) options.basis = krylov::GmresOptions::Basis::single_precision;
@@ -91,7 +92,7 @@ std::unique_ptr<const bem::PressureOperator> make_operator(const Case& data,
   return std::make_unique<const bem::IterativePressureOperator>(
       make_action(fluid, green), make_step_action(fluid, green),
       std::make_unique<const bem::DampedWavePreconditioner>(mesh, green.exact()),
-      iteration_options(data, mesh), method_name(fluid.operators.method));
+      iteration_options(data, fluid), method_name(fluid.operators.method));
 }
 
 }  // namespace floe

@@ -81,6 +81,7 @@ struct FluidOperators {
   std::shared_ptr<const bem::LatticePlan> lattice;
   std::shared_ptr<const bem::FastPressurePlan> sums;
   std::shared_ptr<const bem::FastPressurePlan> step_sums;  ///< cheaper, for the steps; or none
+  KrylovPlan space;                                        ///< of the iteration
 };
 
 /// What the fluid needs at every frequency.
@@ -122,7 +123,7 @@ std::unique_ptr<const krylov::LinearOperator> make_action(const FluidModel& flui
 std::unique_ptr<const krylov::LinearOperator> make_step_action(const FluidModel& fluid,
                                                                const green::GreenTable& green);
 /// How the iteration keeps its space.
-krylov::GmresOptions iteration_options(const Case& data, const mesh::Q8Mesh& mesh);
+krylov::GmresOptions iteration_options(const Case& data, const FluidModel& fluid);
 FrequencyResult solve_frequency(const Case& data, const PlateModel& plate, const FluidModel& fluid,
                                 double omega, StageClock& clock);
 /// The same by one coupled equation (C.4) without modes, one column a heading.

@@ -70,7 +70,7 @@ FluidWork fluid_work(const Case& data, const mesh::Q8Mesh& mesh) {
                                 ? static_cast<double>(data.heading_deg.size())
                                 : static_cast<double>(data.mode_count),
                  .later_columns = waves_by_themselves(data),
-                 .cheaper_steps = data.tolerance < kCheaperStepsBelow};
+                 .tolerance = data.tolerance};
   for (const double omega : data.omega)
     work.lengths.push_back(wave::wavenumber(omega, data.water) * extent.maxCoeff());
   return work;
@@ -97,7 +97,7 @@ double krylov_memory(const KrylovPlan& plan, const FluidWork& work) {
 
 FluidCost fluid_cost(SolverMethod method, const FluidWork& work) {
   if (method == SolverMethod::kDense) return dense_cost(work);
-  const bool cheaper = work.cheaper_steps && method != SolverMethod::kLattice;
+  const bool cheaper = has_cheaper_steps(method, work.tolerance);
   const Rates rates = rates_of(method, cheaper);
   const double application = rates.application + rates.box_application * work.box;
   double seconds = rates.plan;  // a node

@@ -16,7 +16,7 @@ struct FluidWork {
   std::vector<double> lengths;  ///< k times the longer side of the box, one a frequency
   double columns = 0.0;         ///< solved together: modes, or headings of the direct route
   double later_columns = 0.0;   ///< solved by themselves: waves whose pressure is wanted
-  bool cheaper_steps = true;    ///< where there are such, see has_cheaper_steps
+  double tolerance = 1e-6;      ///< of the residuals
 };
 
 FluidWork fluid_work(const Case& data, const mesh::Q8Mesh& mesh);

@@ -72,9 +72,11 @@ Cut worst_cut(const SeaResult& result, bool at_high_end) {
   Cut worst;
   for (std::size_t q = 0; q < result.spectra.size(); ++q) {
     const MatXd& spectra = result.spectra[q];
+    if (spectra.size() == 0) continue;
+    const double least = kShareThatMatters * spectra.maxCoeff();
     for (Index i = 0; i < spectra.rows(); ++i) {
       const double largest = spectra.row(i).maxCoeff();
-      if (!(largest > kShareThatMatters * spectra.maxCoeff())) continue;
+      if (!(largest > least)) continue;
       const double share = spectra(i, at_high_end ? spectra.cols() - 1 : 0) / largest;
       if (share > worst.share) worst = {share, result.quantity[q], i};
     }
