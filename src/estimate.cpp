@@ -2,6 +2,7 @@
 
 #include <floe/bem/element_lattice.hpp>
 #include <floe/estimate.hpp>
+#include <floe/krylov/gmres.hpp>
 #include <floe/numeric/error.hpp>
 #include <floe/numeric/memory.hpp>
 #include <floe/response/modal_basis.hpp>
@@ -26,7 +27,6 @@ constexpr double kLanczosSolves = 4.0;     // solves per mode
 constexpr double kKrylovLeast = 0.25;  // of the budget, and how much of what others leave
 constexpr double kKrylovMost = 0.8;
 constexpr double kAmpleSteps = 30.0;
-constexpr double kScratch = 8.0;  // columns beside the directions of each
 
 constexpr double kSeaSolves = 40.0;    // frequencies that a sea makes the program solve
 constexpr double kSeaSamples = 9.0;    // of these in memory
@@ -152,18 +152,17 @@ KrylovPlan plan_krylov(const Case& data, const mesh::Q8Mesh& mesh) {
   const double budget = std::max(kKrylovLeast * all, kKrylovMost * (all - others));
 
   // Room for all columns in one block. Where the budget is small, single precision first, then as
-  // many directions as expected: blocks of fewer columns need twice the applications. Cheaper steps
-  // lose nothing by single precision, their residuals are recomputed anyway
+  // many directions as expected: blocks of fewer columns need twice the applications
   double longest = 0.0;
   for (const double length : work.lengths) longest = std::max(longest, length);
   const double expected = std::ceil(1.4 * applications_a_column(longest, work.columns)) + 2.0;
   const double column = 16.0 * work.nodes * work.columns;
   const auto need = [&](double steps, bool in_float) {
-    return ((in_float ? 0.5 : 1.0) * steps + kScratch) * column;
+    return ((in_float ? 0.5 : 1.0) * steps + krylov::kScratchColumns + 1.0) * column;
   };
   KrylovPlan plan;
   double steps = std::max(kAmpleSteps, expected);
-  plan.in_float = need(steps, false) > budget || has_cheaper_steps(method, data.tolerance);
+  plan.in_float = need(steps, false) > budget || gains_by_single_precision(method, data.tolerance);
   if (need(steps, plan.in_float) > budget) steps = expected;
   plan.steps = static_cast<Index>(steps);
   plan.memory = std::min(need(steps, plan.in_float), budget);

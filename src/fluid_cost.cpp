@@ -2,6 +2,7 @@
 
 #include "analysis_stages.hpp"
 
+#include <floe/krylov/gmres.hpp>
 #include <floe/wave/dispersion.hpp>
 
 #include <algorithm>
@@ -22,7 +23,7 @@ constexpr double kReadingOff = 1e-6;          // matrices and checks, a node and
 constexpr double kCheaperStepsBelow = 3e-5;  // tolerances for which they pay
 constexpr double kPasses = 2.0;              // of cheaper steps, and what they cost in directions
 constexpr double kCheaperStepsMore = 1.35;
-constexpr double kScratch = 7.0;  // columns of the iteration beside its directions, a column
+constexpr double kSinglePrecisionFrom = 5e-7;  // its rounding leaves residuals of 3e-7
 
 // One node's share: seconds of a step's application with its preconditioner, of the same for each
 // bounding box that the plates would fill, of an application that recomputes a residual, of the
@@ -91,8 +92,13 @@ double krylov_memory(const KrylovPlan& plan, const FluidWork& work) {
     columns =
         std::max(columns, work.columns * (applications_a_column(length, work.columns) *
                                               (plan.in_float ? 0.5 * kCheaperStepsMore : 1.0) +
-                                          kScratch));
+                                          krylov::kScratchColumns));
   return std::min(plan.memory, 16.0 * work.nodes * columns);
+}
+
+bool gains_by_single_precision(SolverMethod method, double tolerance) {
+  return has_cheaper_steps(method, tolerance) ||
+         (method == SolverMethod::kLattice && tolerance >= kSinglePrecisionFrom);
 }
 
 FluidCost fluid_cost(SolverMethod method, const FluidWork& work) {

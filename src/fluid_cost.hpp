@@ -35,6 +35,10 @@ double applications_a_column(double length, double columns);
 /// where the tolerance asked for needs accurate ones.
 bool has_cheaper_steps(SolverMethod method, double tolerance);
 
+/// Whether a basis in single precision costs less than one in double: with cheaper steps, whose
+/// residuals are recomputed anyway, and on a lattice, where to orthogonalise is half of the work.
+bool gains_by_single_precision(SolverMethod method, double tolerance);
+
 /// What the iteration will hold beside x and b in its longest solve: directions and scratch [byte].
 double krylov_memory(const KrylovPlan& plan, const FluidWork& work);
 

@@ -1,3 +1,4 @@
+#include "bem/column_threads.hpp"
 #include "bem/plate_grid.hpp"
 #include "bem/wave_grid.hpp"
 
@@ -37,18 +38,20 @@ void DampedWavePreconditioner::apply(const Eigen::Ref<const MatXcd>& x,
                                      Eigen::Ref<MatXcd> y) const {
   FLOE_EXPECT(x.rows() == size() && y.rows() == size() && x.cols() == y.cols());
   const MatXcd value = grid_->restrict_to_points(x);
-  VecXcd field(grid_->point_count());
-  fmm::PaddedGrid::Workspace workspace;
-  const fmm::InputLattice input{field.data(), grid_->nx(), grid_->ny()};
-  const fmm::OutputLattice output{field.data(), grid_->nx(), grid_->ny()};
-  for (Index column = 0; column < x.cols(); ++column) {
-    field.setZero();
-    for (std::size_t a = 0; a < grid_->active().size(); ++a)
-      field[grid_->active()[a]] = value(static_cast<Index>(a), column);
-    grid_->padded().apply({&input, 1}, {&output, 1}, *spectrum_, &workspace);
-    y.col(column) = x.col(column);
-    grid_->interpolate_add(field.data(), y.col(column).data());
-  }
+  for_columns(size(), x.cols(), [&](Index begin, Index end) {
+    VecXcd field(grid_->point_count());
+    fmm::PaddedGrid::Workspace workspace;
+    const fmm::InputLattice input{field.data(), grid_->nx(), grid_->ny()};
+    const fmm::OutputLattice output{field.data(), grid_->nx(), grid_->ny()};
+    for (Index column = begin; column < end; ++column) {
+      field.setZero();
+      for (std::size_t a = 0; a < grid_->active().size(); ++a)
+        field[grid_->active()[a]] = value(static_cast<Index>(a), column);
+      grid_->padded().apply({&input, 1}, {&output, 1}, *spectrum_, &workspace);
+      y.col(column) = x.col(column);
+      grid_->interpolate_add(field.data(), y.col(column).data());
+    }
+  });
 }
 
 }  // namespace floe::bem

@@ -1,3 +1,4 @@
+#include "bem/column_threads.hpp"
 #include "bem/lattice_tables.hpp"
 #include "bem/node_lattices.hpp"
 #include "bem/outline_spectra.hpp"
@@ -183,9 +184,11 @@ double LatticePressureOperator::memory() const { return tables_->memory(); }
 
 void LatticePressureOperator::apply(const Eigen::Ref<const MatXcd>& x, Eigen::Ref<MatXcd> y) const {
   FLOE_EXPECT(x.rows() == size() && y.rows() == size() && x.cols() == y.cols());
-  fmm::PaddedGrid::Workspace workspace;
-  for (Index column = 0; column < x.cols(); ++column)
-    apply_column(*plan_, *tables_, x.col(column).data(), y.col(column).data(), workspace);
+  for_columns(size(), x.cols(), [&](Index begin, Index end) {
+    fmm::PaddedGrid::Workspace workspace;
+    for (Index column = begin; column < end; ++column)
+      apply_column(*plan_, *tables_, x.col(column).data(), y.col(column).data(), workspace);
+  });
 }
 
 }  // namespace floe::bem

@@ -48,17 +48,48 @@ const std::array<double, kGregoryOrder>& gregory_weights() {
   return weights;
 }
 
-// ∫ f over [start, end] by 20 Gauss points on each of the panels [start, 2 start], [2 start, 4
-// start] …
+// ∫ f over [start, end] by Gauss points
 template <typename Function>
-double integrate_dyadic(double start, double end, Function f) {
-  const auto& rule = numeric::gauss_legendre(20);
+double integrate(double start, double end, int points, Function f) {
+  const auto& rule = numeric::gauss_legendre(points);
   double sum = 0.0;
-  for (double a = start; a < end; a *= 2.0)
-    for (int i = 0; i < 20; ++i)
-      sum += 0.5 * a * rule.weight[i] * f(a * (1.5 + 0.5 * rule.node[i]));
-  return sum;
+  for (int i = 0; i < points; ++i)
+    sum += rule.weight[i] * f(0.5 * (start + end) + 0.5 * (end - start) * rule.node[i]);
+  return 0.5 * (end - start) * sum;
 }
+
+// K0 at the Gauss points of the octaves below kNegligible, which are the same at every distance
+class TailNodes {
+ public:
+  static constexpr int kPoints = 16;   // an octave
+  static constexpr int kOctaves = 64;  // the distances of tables need 50
+
+  TailNodes() {
+    const auto& rule = numeric::gauss_legendre(kPoints);
+    double end = kNegligible;
+    for (int octave = 0; octave < kOctaves; ++octave, end *= 0.5)
+      for (int i = 0; i < kPoints; ++i) {
+        const double u = end * (0.75 + 0.25 * rule.node[i]);
+        square_.push_back(u * u);
+        weighted_.push_back(0.25 * end * rule.weight[i] * bessel_k0(u));
+      }
+  }
+
+  // ∫ K0(u) / (1 + (x/u)²) du from `start` on  (G.5)
+  double integrate_from(double start, double x) const {
+    double end = kNegligible, sum = 0.0;
+    for (int octave = 0; octave < kOctaves && start <= 0.5 * end; ++octave, end *= 0.5)
+      for (int i = octave * kPoints; i < (octave + 1) * kPoints; ++i)
+        sum += weighted_[i] * (square_[i] / (square_[i] + x * x));
+    for (; start < end; end = std::max(start, 0.5 * end))
+      sum += integrate(std::max(start, 0.5 * end), end, kPoints,
+                       [x](double u) { return bessel_k0(u) / (1.0 + (x / u) * (x / u)); });
+    return sum;
+  }
+
+ private:
+  std::vector<double> square_, weighted_;  // u² and K0(u) times the weight
+};
 
 }  // namespace
 
@@ -125,13 +156,10 @@ double GreenFunction::remainder_near(double distance) const {
     sum += weight * evanescent_amplitude_[n - 1] * bessel_k0(evanescent_[n - 1] * distance);
   }
 
-  // Add the integral that stands for all the others (G.5)
-  const auto density = [&](double k) {
-    const double ratio = nu_ / k;
-    return bessel_k0(k * distance) / (1.0 + ratio * ratio);
-  };
-  const double start = evanescent_[kGregoryStart - 1];
-  return 4.0 * sum + 4.0 / pi * integrate_dyadic(start, kNegligible / distance, density);
+  // Add the integral that stands for all the others (G.5), over u = kR
+  static const TailNodes tail;
+  const double start = evanescent_[kGregoryStart - 1] * distance;
+  return 4.0 * sum + 4.0 / (pi * distance) * tail.integrate_from(start, nu_ * distance);
 }
 
 double GreenFunction::remainder_infinite_depth(double distance) const {
@@ -141,12 +169,10 @@ double GreenFunction::remainder_infinite_depth(double distance) const {
     const double root = std::sqrt(1.0 + t * t);
     return std::exp(-x * t) * t * t / (root * (1.0 + root));
   };
-  const double first = std::min(1.0, 4.0 / x);
-  const auto& rule = numeric::gauss_legendre(20);
-  double sum = 0.0;
-  for (int i = 0; i < 20; ++i)
-    sum += 0.5 * first * rule.weight[i] * integrand(0.5 * first * (1.0 + rule.node[i]));
-  return 2.0 * nu_ * (sum + integrate_dyadic(first, kNegligible / x, integrand));
+  double end = std::min(1.0, 4.0 / x);
+  double sum = integrate(0.0, end, 20, integrand);
+  for (; end < kNegligible / x; end *= 2.0) sum += integrate(end, 2.0 * end, 16, integrand);
+  return 2.0 * nu_ * sum;
 }
 
 }  // namespace floe::green

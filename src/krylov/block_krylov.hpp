@@ -4,6 +4,7 @@
 
 #include <floe/krylov/gmres.hpp>
 
+#include <span>
 #include <vector>
 
 namespace floe::krylov {
@@ -18,42 +19,53 @@ namespace floe::krylov {
 template <class Scalar>
 class BlockKrylov {
  public:
-  /// Starts with the residuals. Directions in which they have no more than 0.01 are left out.
-  explicit BlockKrylov(MatXcd residual);
+  explicit BlockKrylov(Index rows) : candidate_(rows, 0), spare_(rows, 0) {}
 
-  /// Goes on with other residuals, and as many as the caller likes: the true ones after x was
-  /// corrected, in which there are no rounding errors of the recurrence.
-  void replace_residual(MatXcd residual);
+  /// Starts with residuals, or goes on with others, as many as the caller likes: the true ones
+  /// after x was corrected, in which there are no rounding errors of the recurrence. Directions in
+  /// which they have no more than 0.01 are left out. They are overwritten.
+  void replace_residual(Eigen::Ref<MatXcd> residual);
 
   /// Norm of each column's residual as the recurrence has it.
   VecXd residual_norms() const;
 
   Index expanded() const { return expanded_; }
-  Index candidates() const { return candidate_.cols(); }
 
   /// Turns the candidates so that the first of them hold the parts of the residuals above 1 that
-  /// are at least `threshold` times the largest, at most `limit` of them. Returns these; there are
-  /// none if the space cannot grow any more.
-  MatXcd choose(double threshold, Index limit);
+  /// are at least `threshold` times the largest, at most `limit` of them. Returns how many; none if
+  /// the space cannot grow any more.
+  Index choose(double threshold, Index limit);
 
-  /// Adds the images A M v of the directions that `choose` returned; they are overwritten.
-  void expand(const MatXcd& chosen, MatXcd image);
+  /// The first candidates, as `choose` turned them.
+  auto chosen(Index count) const { return candidate_.leftCols(count); }
 
-  /// V y that makes the residuals least, N × columns; `blocks` stand for V, expansion by expansion.
-  MatXcd combine(Blocks<Scalar> blocks) const;
-  Blocks<Scalar> blocks() const { return expanded_block_; }
+  /// Adds the images A M v of the first candidates, which are expanded then; overwrites them.
+  void expand(Eigen::Ref<MatXcd> image);
+
+  /// sum = V y that makes the residuals least, N × columns; `blocks` stand for V, expansion by
+  /// expansion.
+  void combine(std::span<const Tall<Scalar>> blocks, Eigen::Ref<MatXcd> sum) const;
+  std::span<const Tall<Scalar>> blocks() const { return expanded_block_; }
 
  private:
-  MatXcd absorb(MatXcd& block, const VecXd& negligible);
-  void orthogonalise(MatXcd& block, const VecXd& before, const VecXd& negligible,
-                     MatXcd& coordinates) const;
-  MatXcd project_out(MatXcd& block) const;
-  void append_candidates(const MatXcd& direction);
-  Index expanded_columns() const { return rotation_.cols() - candidate_.cols(); }
+  auto candidates() const { return candidate_.leftCols(candidates_); }
+  TallView<Complex> candidates_view() const {
+    return {candidate_.data(), candidate_.rows(), candidates_};
+  }
+  Eigen::Ref<MatXcd> spare(Index columns);
+  Eigen::Ref<MatXcd> append_candidates(Index count);
+  MatXcd append_orthonormal(const Eigen::Ref<const MatXcd>& block);
+  MatXcd absorb(Eigen::Ref<MatXcd> block, const VecXd& negligible);
+  void orthogonalise(Eigen::Ref<MatXcd> block, const VecXd& before, const VecXd& negligible,
+                     MatXcd& coordinates);
+  MatXcd project_out(Eigen::Ref<MatXcd> block) const;
+  Index expanded_columns() const { return rotation_.cols() - candidates_; }
   void reduce(const MatXcd& coordinates, Index count);
 
   std::vector<Tall<Scalar>> expanded_block_;  // V, one matrix a step
-  MatXcd candidate_;                          // C
+  MatXcd candidate_;                          // C and room for more columns
+  Index candidates_ = 0;                      // columns of C
+  MatXcd spare_;                              // memory that is asked for once, not at every step
   Index expanded_ = 0;                        // columns of V
   MatXcd rotation_;  // unitary, rotation_ · H = [triangle_; 0]; columns as V, C
   MatXcd triangle_;

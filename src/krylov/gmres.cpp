@@ -29,8 +29,7 @@ Plan plan_memory(Index n, Index columns, const Preconditioner& preconditioner,
   const bool single = options.basis == GmresOptions::Basis::single_precision;
   const bool flexible = preconditioner.kind == Preconditioner::Kind::flexible;
   const double direction = row * (single ? 0.5 : 1.0) * (flexible ? 2.0 : 1.0);
-  // Residuals, candidates, an image and its copies besides the basis
-  const double column = 7.0 * row;
+  const double column = kScratchColumns * row;
   const auto directions = [&](Index block) {
     return (options.memory - column * static_cast<double>(block)) / direction;
   };
@@ -70,6 +69,8 @@ class BlockSolve {
                      "right-hand side of columns " << first_ + 1 << " … " << first_ + b.cols()
                                                    << " is not finite");
     x.setZero();
+    preconditioned_.resize(b.rows(), preconditioner_.action ? b.cols() : 0);
+    image_.resize(b.rows(), b.cols());
     State state{x, b, norms, (norms.array() > 0.0).cast<double>(), VecXd::Zero(b.cols())};
     while (!open_columns(state).empty()) {
       const VecXd before = state.relative;
@@ -99,18 +100,17 @@ class BlockSolve {
     return open;
   }
 
-  // In units of what the recurrence is to reach: the tolerance, or as far as the cheaper operator
-  // is worth following
-  MatXcd scaled_residual(State& state, const std::vector<Index>& open) const {
+  // Writes the residuals to image_ in units of what the recurrence is to reach: the tolerance, or
+  // as far as the cheaper operator is worth following
+  Eigen::Ref<MatXcd> scaled_residual(State& state, const std::vector<Index>& open) {
     const double reduction = cheaper_steps_ ? options_.step_reduction : 0.0;
-    MatXcd scaled(state.residual.rows(), static_cast<Index>(open.size()));
     for (std::size_t i = 0; i < open.size(); ++i) {
       const Index j = open[i];
       state.unit[j] =
           kSafety * std::max(options_.tolerance, reduction * state.relative[j]) * state.scale[j];
-      scaled.col(static_cast<Index>(i)) = state.residual.col(j) / state.unit[j];
+      image_.col(static_cast<Index>(i)) = state.residual.col(j) / state.unit[j];
     }
-    return scaled;
+    return image_.leftCols(static_cast<Index>(open.size()));
   }
 
   // Builds one Krylov space until the columns have converged or the memory is full. When the
@@ -120,7 +120,8 @@ class BlockSolve {
   void run_cycle(const Eigen::Ref<const MatXcd>& b, State& state) {
     ++report_.cycles;
     std::vector<Index> open = open_columns(state);
-    BlockKrylov<Scalar> krylov(scaled_residual(state, open));
+    BlockKrylov<Scalar> krylov(b.rows());
+    krylov.replace_residual(scaled_residual(state, open));
     std::vector<Tall<Scalar>> kept;
     while (true) {
       const VecXd before = state.relative;
@@ -140,14 +141,15 @@ class BlockSolve {
     for (; steps_ < options_.max_iterations; ++steps_, ++report_.iterations) {
       const Index room = directions_ - krylov.expanded();
       if (room <= 0) return true;
-      const MatXcd chosen = krylov.choose(options_.direction_threshold, room);
-      if (chosen.cols() == 0) return false;
-      const MatXcd preconditioned = precondition(chosen);
-      MatXcd image(chosen.rows(), chosen.cols());
-      (cheaper_steps_ ? *options_.step_operator : a_).apply(preconditioned, image);
-      report_.applications += chosen.cols();
-      krylov.expand(chosen, std::move(image));
-      if (flexible()) kept.push_back(preconditioned.cast<Scalar>());
+      const Index count =
+          krylov.choose(options_.direction_threshold, std::min(room, image_.cols()));
+      if (count == 0) return false;
+      const auto direction = preconditioned(krylov.chosen(count));
+      auto image = image_.leftCols(count);
+      (cheaper_steps_ ? *options_.step_operator : a_).apply(direction, image);
+      report_.applications += count;
+      if (flexible()) kept.push_back(stored<Scalar>(direction));
+      krylov.expand(image);
     }
     return true;
   }
@@ -157,9 +159,11 @@ class BlockSolve {
   void correct(const BlockKrylov<Scalar>& krylov, const std::vector<Tall<Scalar>>& kept,
                const std::vector<Index>& open, const Eigen::Ref<const MatXcd>& b, State& state) {
     if (krylov.expanded() == 0) return;
-    MatXcd correction =
-        flexible() ? krylov.combine(kept) : precondition(krylov.combine(krylov.blocks()));
-    MatXcd image(correction.rows(), correction.cols());
+    const auto count = static_cast<Index>(open.size());
+    MatXcd correction(b.rows(), count);
+    auto image = image_.leftCols(count);
+    krylov.combine(flexible() ? kept : krylov.blocks(), correction);
+    if (!flexible() && preconditioner_.action) correction = preconditioned(correction);
     for (std::size_t i = 0; i < open.size(); ++i) {
       state.x.col(open[i]) += state.unit[open[i]] * correction.col(static_cast<Index>(i));
       correction.col(static_cast<Index>(i)) = state.x.col(open[i]);
@@ -176,9 +180,10 @@ class BlockSolve {
 
   bool flexible() const { return preconditioner_.kind == Preconditioner::Kind::flexible; }
 
-  MatXcd precondition(const MatXcd& y) const {
+  // y itself where there is no preconditioner, else in preconditioned_
+  Eigen::Ref<const MatXcd> preconditioned(const Eigen::Ref<const MatXcd>& y) {
     if (!preconditioner_.action) return y;
-    MatXcd z(y.rows(), y.cols());
+    auto z = preconditioned_.leftCols(y.cols());
     preconditioner_.action->apply(y, z);
     return z;
   }
@@ -206,7 +211,8 @@ class BlockSolve {
   const GmresOptions& options_;           // view
   Index directions_;
   Index first_;
-  GmresReport& report_;  // view
+  GmresReport& report_;            // view
+  MatXcd preconditioned_, image_;  // memory that is asked for once, not at every step
   Index steps_ = 0;
   bool cheaper_steps_ = options_.step_operator != nullptr;
 };

@@ -25,12 +25,14 @@ using Complex32 = std::complex<float>;
 // Rows that are multiplied at once: in single precision no sum is longer than this
 constexpr Index kRows = 1024;
 
-// Chunks of whole kRows, at most 64 of them, so that partial sums stay few
+// Chunks of whole pieces of rows, at most 64 of them, so that partial sums stay few; of at least
+// 256 rows, at least eight where there are rows for that, so that no thread waits for long
 class Chunks {
  public:
   explicit Chunks(Index rows) : rows_(rows) {
-    const Index pieces = (rows + kRows - 1) / kRows;
-    length_ = kRows * std::max<Index>(1, (pieces + 63) / 64);
+    piece_ = std::clamp<Index>((rows + 7) / 8, 256, kRows);
+    const Index pieces = (rows + piece_ - 1) / piece_;
+    length_ = piece_ * std::max<Index>(1, (pieces + 63) / 64);
     count_ = (rows + length_ - 1) / length_;
   }
   Index count() const { return count_; }
@@ -39,12 +41,12 @@ class Chunks {
   template <class Work>
   void for_pieces(Index chunk, const Work& work) const {
     const Index last = std::min(rows_, (chunk + 1) * length_);
-    for (Index first = chunk * length_; first < last; first += kRows)
-      work(first, std::min(kRows, last - first));
+    for (Index first = chunk * length_; first < last; first += piece_)
+      work(first, std::min(piece_, last - first));
   }
 
  private:
-  Index rows_, length_, count_;
+  Index rows_, piece_, length_, count_;
 };
 
 void gemm(const char* transa, Index m, Index n, Index k, Complex alpha, const Complex* a, Index lda,
@@ -62,7 +64,7 @@ void gemm(const char* transa, Index m, Index n, Index k, Complex32 alpha, const 
 template <class Scalar>
 Index total_columns(Blocks<Scalar> v) {
   Index count = 0;
-  for (const Tall<Scalar>& block : v) count += block.cols();
+  for (const TallView<Scalar>& block : v) count += block.cols();
   return count;
 }
 
@@ -82,7 +84,7 @@ MatXcd adjoint_product(Blocks<Scalar> v, const Eigen::Ref<const MatXcd>& w) {
     chunks.for_pieces(chunk, [&](Index first, Index count) {
       piece = w.middleRows(first, count).template cast<Scalar>();
       Index row = 0;
-      for (const Tall<Scalar>& block : v) {
+      for (const TallView<Scalar>& block : v) {
         gemm("C", block.cols(), columns, count, Scalar(1), block.data() + first, n, piece.data(),
              count, Scalar(0), part.data() + row, rows);
         row += block.cols();
@@ -109,7 +111,7 @@ void subtract_product(Blocks<Scalar> v, const MatXcd& c, Eigen::Ref<MatXcd> w) {
     chunks.for_pieces(chunk, [&](Index first, Index count) {
       piece.setZero(count, columns);
       Index row = 0;
-      for (const Tall<Scalar>& block : v) {
+      for (const TallView<Scalar>& block : v) {
         gemm("N", count, columns, block.cols(), Scalar(1), block.data() + first, n,
              factor.data() + row, inner, Scalar(1), piece.data(), count);
         row += block.cols();
@@ -124,21 +126,33 @@ template MatXcd adjoint_product(Blocks<Complex32>, const Eigen::Ref<const MatXcd
 template void subtract_product(Blocks<Complex>, const MatXcd&, Eigen::Ref<MatXcd>);
 template void subtract_product(Blocks<Complex32>, const MatXcd&, Eigen::Ref<MatXcd>);
 
-MatXcd product(const Eigen::Ref<const MatXcd>& v, const MatXcd& c) {
-  FLOE_EXPECT(v.cols() == c.rows());
+void multiply(const Eigen::Ref<const MatXcd>& v, const MatXcd& c, Eigen::Ref<MatXcd> w) {
+  FLOE_EXPECT(v.cols() == c.rows() && w.rows() == v.rows() && w.cols() == c.cols());
   const Index n = v.rows(), inner = v.cols(), columns = c.cols();
-  if (inner == 0 || columns == 0) return MatXcd::Zero(n, columns);
+  if (inner == 0 || columns == 0) {
+    w.setZero();
+    return;
+  }
   numeric::use_one_blas_thread();
-  MatXcd result(n, columns);
   const Chunks chunks(n);
 #pragma omp parallel for schedule(static)
   for (Index chunk = 0; chunk < chunks.count(); ++chunk)
     chunks.for_pieces(chunk, [&](Index first, Index count) {
       gemm("N", count, columns, inner, 1.0, v.data() + first, v.outerStride(), c.data(), inner, 0.0,
-           result.data() + first, n);
+           w.data() + first, w.outerStride());
     });
-  return result;
 }
+
+template <class Scalar>
+Tall<Scalar> stored(const Eigen::Ref<const MatXcd>& block) {
+  Tall<Scalar> copy(block.rows(), block.cols());
+#pragma omp parallel for schedule(static)
+  for (Index j = 0; j < block.cols(); ++j) copy.col(j) = block.col(j).template cast<Scalar>();
+  return copy;
+}
+
+template Tall<Complex> stored(const Eigen::Ref<const MatXcd>&);
+template Tall<Complex32> stored(const Eigen::Ref<const MatXcd>&);
 
 VecXd column_norms(const Eigen::Ref<const MatXcd>& w) {
   VecXd norms(w.cols());

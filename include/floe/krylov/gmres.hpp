@@ -17,6 +17,10 @@ struct Preconditioner {
   Kind kind = Kind::fixed;
 };
 
+/// Columns of scratch that a block of the iteration holds beside its directions, a column:
+/// residuals, candidates, an image and its copies.
+inline constexpr double kScratchColumns = 7.0;
+
 struct GmresOptions {
   double tolerance = 1e-6;     ///< ‖b - Ax‖/‖b‖ asked of each column, 1e-13 … 1
   Index max_iterations = 500;  ///< steps of each block of columns, all cycles together
