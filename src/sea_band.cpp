@@ -17,7 +17,6 @@ namespace {
 
 constexpr double kShareBelow = 1e-3;
 constexpr double kShareAbove = 5e-3;
-constexpr double kShareTold = 0.01;
 constexpr double kShareRefused = 0.05;
 constexpr double kShareThatMatters = 0.01;  // of the largest at any point: a free edge has none
 constexpr double kShareAtEnd = 0.25;        // of a response's largest spectral value

@@ -16,6 +16,9 @@ namespace floe {
 void require_band(const wave::SeaState& sea, double from, double to, const std::string& remedy,
                   Log& log);
 
+/// Share of a sea's m0 beyond the band from which on a warning tells it.
+inline constexpr double kShareTold = 0.01;
+
 /// A warning for each end of the frequencies where the spectrum of a response is still more than a
 /// quarter of its largest value: the peak may lie beyond. It names the worst point and quantity.
 std::vector<std::string> cut_responses(const SeaResult& result, const Case& data);

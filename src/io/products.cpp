@@ -107,12 +107,12 @@ void Products::write_fields(const FrequencyResult& result) {
 }
 
 // As the run itself warned; once a sea
-void Products::warn_of_truncation(const SeaResult& sea) {
-  constexpr double kShareTold = 0.02;
+void Products::warn_of_band(const SeaResult& sea) {
   std::vector<std::string> warnings = cut_responses(sea, data_);
   if (sea.share_outside > kShareTold)
     warnings.push_back(
-        fmt::format("sea {}: {:.2g} % of its m0 lie outside the frequencies that were computed",
+        fmt::format("sea {}: {:.2g} % of its m0 lie outside the frequencies that were computed "
+                    "(widen sea_grid.omega)",
                     sea.sea, 100.0 * sea.share_outside));
   for (const std::string& warning : warnings) {
     const auto& told = account.warnings;
@@ -134,7 +134,7 @@ void Products::end_seas(const SeaGridReport& grid) {
   if (seas_.empty()) return;
   for (const SeaResult& sea : seas_) {
     account.seas.push_back(summary_of(sea));
-    warn_of_truncation(sea);
+    warn_of_band(sea);
   }
   std::vector<std::string> names = sea_table_names();
   const std::vector<std::string> relations = relation_table_names(data_.relations);

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <ostream>
 #include <random>
 #include <tuple>
 
@@ -20,6 +21,12 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr Index kCount = 4000;
 
 enum class Layout { kUniform, kClustered, kTwoGroups };
+
+void PrintTo(Layout layout, std::ostream* out) {
+  *out << (layout == Layout::kUniform     ? "uniform"
+           : layout == Layout::kClustered ? "clustered"
+                                          : "two groups");
+}
 
 // Points in a square of side 1
 Points2 make_points(Layout layout, Index count) {

@@ -122,7 +122,7 @@ TEST(ResumeWithSeas, ComputesADamagedRecordAgainAndSaysSo) {
 // A byte of every record at once, each in its turn: all are noticed and computed again
 TEST_P(ResumeLong, ComputesARecordWithAnyByteFlippedAgain) {
   const TestFolder folder;
-  std::string text = GetParam().text(1);
+  std::string text = GetParam().text(2);
   const std::string mesh = "nx = 4, ny = 2";
   folder.write("case.toml", text.replace(text.find(mesh), mesh.size(), "nx = 1, ny = 1"));
   const std::string run = "run case.toml --allow-coarse --threads 1 ";
