@@ -126,6 +126,9 @@ SparseMatrix parse_sparse_matrix(std::string_view bytes, const std::string& file
   MatrixText text(bytes, file_name);
   const bool symmetric = text.read_header("coordinate");
   const Size size = read_size(text);
+  if (symmetric && size.rows != size.columns)
+    text.fail(fmt::format("invalid size = {} × {} (must be square where the matrix is symmetric)",
+                          size.rows, size.columns));
   const auto count = text.number<Index>("number of entries");
   text.end_line();
   text.demand_room(count);

@@ -2,12 +2,20 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string>
 #include <string_view>
 
 namespace floe::io {
 namespace {
 
-// Goes through a file and knows whether it is in a comment or in a text of which quotes
+bool starts_a_name(char c) {
+  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' ||
+         c == '-' || c == '"' || c == '\'';
+}
+
+// Goes through a file and knows whether it is in a comment or in a text of which quotes, and which
+// brackets are open
 class Scanner {
  public:
   Scanner(std::string_view rest, const CaseSource& source) : rest_(rest), source_(source) {
@@ -26,24 +34,62 @@ class Scanner {
 
  private:
   void step_outside() {
-    if (comment_ || rest_.front() == '\n') {
-      comment_ = rest_.front() != '\n';
-    } else if (rest_.front() == '#') {
+    const char c = rest_.front();
+    if (comment_ || c == '\n') {
+      comment_ = c != '\n';
+      line_begins_ = !comment_;
+      header_ = false;
+    } else if (c == '#') {
       comment_ = true;
+    } else if (c == '"' || c == '\'') {
+      return open_text();
     } else {
-      for (const char* quotes : {"\"\"\"", "'''", "\"", "'"})
-        if (rest_.starts_with(quotes)) {
-          quotes_ = quotes;
-          return advance(quotes_.size());
-        }
+      step_brackets(c);
     }
+    before_ = c;
     advance(1);
+  }
+
+  void open_text() {
+    if (std::string_view(" \t\r\n=[{,.").find(before_) == std::string_view::npos)
+      refuse("quote within a word");
+    for (const char* quotes : {"\"\"\"", "'''", "\"", "'"})
+      if (quotes_.empty() && rest_.starts_with(quotes)) quotes_ = quotes;
+    line_begins_ = false;
+    before_ = rest_.front();
+    advance(quotes_.size());
+  }
+
+  // A line that begins with a bracket outside of arrays is the header of a section
+  void step_brackets(char c) {
+    if (c == '[' && line_begins_ && open_.empty()) {
+      header_ = true;
+      require_section_name();
+    }
+    line_begins_ = line_begins_ && (c == ' ' || c == '\t' || c == '\r');
+    if (header_) return;
+    if (c == '[' || c == '{') open_ += c;
+    if (c != ']' && c != '}') return;
+    if (open_.empty() || open_.back() != (c == ']' ? '[' : '{'))
+      refuse(fmt::format("{} without {} before it", c, c == ']' ? '[' : '{'));
+    open_.pop_back();
+  }
+
+  void require_section_name() const {
+    const bool twice = rest_.starts_with("[[");
+    std::string_view name = rest_.substr(twice ? 2 : 1);
+    name.remove_prefix(std::min(name.find_first_not_of(" \t"), name.size()));
+    if (name.empty() || starts_a_name(name.front()) || name.front() == ']') return;
+    if (!twice && name.front() == '[') return;  // the parser says that brackets stand together
+    refuse("name of a section that begins with neither a letter, a digit, _, - nor a quote");
   }
 
   void step_inside() {
     if (quotes_.front() == '"' && rest_.front() == '\\') return advance(2);
     const bool broken = quotes_.size() == 1 && rest_.front() == '\n';  // the parser will say so
-    const bool closed = rest_.starts_with(quotes_);
+    // Three quotes that close may follow one or two that do not
+    const bool closed = rest_.starts_with(quotes_) &&
+                        (quotes_.size() == 1 || !rest_.substr(1).starts_with(quotes_));
     const std::size_t length = closed ? quotes_.size() : 1;
     if (broken || closed) quotes_ = {};
     advance(length);
@@ -77,7 +123,9 @@ class Scanner {
 
   std::string_view rest_, quotes_;
   const CaseSource& source_;  // view
-  bool comment_ = false;
+  bool comment_ = false, line_begins_ = true, header_ = false;
+  std::string open_;    // brackets, outermost first
+  char before_ = '\n';  // the character outside of texts that came last
   toml::source_index line_ = 1, column_ = 1;
 };
 

@@ -65,14 +65,6 @@ SparseMatrix select_force(const SparseMatrix& interpolation, const std::vector<I
 
 }  // namespace
 
-bool is_structural(Quantity quantity) {
-  return quantity != Quantity::kPressure && quantity != Quantity::kRelativeElevation;
-}
-
-bool is_section_force(Quantity quantity) {
-  return quantity >= Quantity::kBendingMomentX && quantity <= Quantity::kSurfaceStressY;
-}
-
 ModalBasis::ModalBasis(const mesh::Q8Mesh& mesh, const plate::PlateRegions& regions,
                        const plate::DryModes& modes, const SparseMatrix& interpolation,
                        const std::vector<Quantity>& quantities, const std::vector<Index>& elements)

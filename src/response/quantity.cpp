@@ -58,4 +58,12 @@ const std::vector<Quantity>& all_quantities() {
   return all;
 }
 
+bool is_structural(Quantity quantity) {
+  return quantity != Quantity::kPressure && quantity != Quantity::kRelativeElevation;
+}
+
+bool is_section_force(Quantity quantity) {
+  return quantity >= Quantity::kBendingMomentX && quantity <= Quantity::kSurfaceStressY;
+}
+
 }  // namespace floe::response

@@ -1,7 +1,4 @@
-#include "test_case.hpp"
-
-#include <floe/io/case_file.hpp>
-#include <floe/numeric/error.hpp>
+#include "case_refusal.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,8 +10,8 @@
 namespace floe::io {
 namespace {
 
-using test::kCaseText;
-using test::TestFolder;
+using test::read_with;
+using test::refusal;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -27,28 +24,9 @@ spreading = "cos2"
 mean_heading_deg = [0, 30]
 )";
 
-Case read_with(const std::string& seas) {
-  const TestFolder folder;
-  return read_case(folder.write("case.toml", kCaseText + seas)).data;
-}
-
 // kSea with `from` replaced by `to`
 std::string changed(const std::string& from, const std::string& to) {
-  std::string text = kSea;
-  const auto at = text.find(from);
-  return at == std::string::npos ? "no such text" : text.replace(at, from.size(), to);
-}
-
-// What a fault in a sea says; a DataError is what becomes exit code 5
-std::string refusal(const std::string& seas) {
-  const TestFolder folder;
-  const auto path = folder.write("case.toml", kCaseText + seas);
-  try {
-    read_case(path);
-  } catch (const DataError& error) {
-    return std::string(error.what()).substr(folder.path().string().size() + 1);
-  }
-  return "accepted";
+  return test::replaced(kSea, from, to);
 }
 
 TEST(CaseSeas, TakesOverEverySpectrumAndSpreading) {

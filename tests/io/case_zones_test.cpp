@@ -1,7 +1,4 @@
-#include "test_case.hpp"
-
-#include <floe/io/case_file.hpp>
-#include <floe/numeric/error.hpp>
+#include "case_refusal.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,6 +11,7 @@ namespace floe::io {
 namespace {
 
 using test::kCaseText;
+using test::refusal;
 using test::TestFolder;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -38,20 +36,7 @@ significant_period = 7.0
 )";
 
 std::string changed(const std::string& from, const std::string& to) {
-  std::string text = kZones;
-  const auto at = text.find(from);
-  return at == std::string::npos ? "no such text" : text.replace(at, from.size(), to);
-}
-
-std::string refusal(const std::string& seas) {
-  const TestFolder folder;
-  const auto path = folder.write("case.toml", kCaseText + seas);
-  try {
-    read_case(path);
-  } catch (const DataError& error) {
-    return std::string(error.what()).substr(folder.path().string().size() + 1);
-  }
-  return "accepted";
+  return test::replaced(kZones, from, to);
 }
 
 TEST(CaseZones, AreTakenOver) {
@@ -72,7 +57,9 @@ TEST(CaseZones, AreTakenOver) {
   EXPECT_THAT(sea.description, HasSubstr("transition 120 m, coherence [0.4], spreading cos2"));
 
   const Case matrix =
-      read_case(folder.write("case.toml", kCaseText + changed("0.4", "[[1, 0.7], [0.7, 1]]"))).data;
+      read_case(
+          folder.write("case.toml", kCaseText + changed("0.4", "[\n  [1, 0.7],\n  [0.7, 1]]")))
+          .data;
   EXPECT_EQ(matrix.seas[0].zones->coherence(1, 0), 0.7);
 }
 

@@ -13,23 +13,17 @@
 namespace floe::mesh {
 namespace {
 
+using test::bent;
 using test::error_of;
 using test::joined;
 using test::mapped;
 using test::MeshArrays;
 using test::rectangle_arrays;
 using test::ring_arrays;
+using test::rotated;
 using test::shifted;
 using testing::AllOf;
 using testing::HasSubstr;
-
-// The point (r, φ) of the plane for (x, y) = (φ, r)
-Point2 bent(const Point2& p) {
-  const double radius = 100.0 + p.y();
-  return {radius * std::sin(p.x() / 100.0), radius * std::cos(p.x() / 100.0)};
-}
-
-Point2 rotated(const Point2& p) { return {0.8 * p.x() - 0.6 * p.y(), 0.6 * p.x() + 0.8 * p.y()}; }
 
 TEST(Q8Mesh, MeasuresARectangle) {
   const Q8Mesh mesh = rectangle_arrays(6, 2, 60.0, 20.0).build();

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "test_case.hpp"
+
 #include "mesh/file_content.hpp"
 #include "test_paths.hpp"
 
@@ -36,13 +38,6 @@ inline std::string error_of(const std::string& bytes) {
     return error.what();
   }
   return "";
-}
-
-/// `text` with `by` in place of `old`, which it must hold.
-inline std::string replaced(std::string text, const std::string& old, const std::string& by) {
-  const std::size_t at = text.find(old);
-  EXPECT_NE(at, std::string::npos) << old;
-  return text.replace(at, old.size(), by);
 }
 
 /// A square of one element with 8 nodes, as MSH 2.2; node and element lines can be added to

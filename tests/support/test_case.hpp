@@ -22,12 +22,16 @@ omega = [0.4, 0.5]
 heading_deg = [0, 30]
 )";
 
-/// The case with the first `from` replaced by `to`.
-inline std::string with(const std::string& from, const std::string& to) {
-  std::string text = kCaseText;
+/// A text with the first `from` replaced by `to`.
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
   const auto at = text.find(from);
   if (at == std::string::npos) return "no such text: " + from;
   return text.replace(at, from.size(), to);
+}
+
+/// The case with the first `from` replaced by `to`.
+inline std::string with(const std::string& from, const std::string& to) {
+  return replaced(kCaseText, from, to);
 }
 
 /// A folder that is made for a test and removed after it.

@@ -88,4 +88,12 @@ inline std::string error_of(const MeshArrays& arrays) {
   return "";
 }
 
+/// The point (r, φ) of the plane for (x, y) = (φ, r)
+inline Point2 bent(const Point2& p) {
+  const double radius = 100.0 + p.y();
+  return {radius * std::sin(p.x() / 100.0), radius * std::cos(p.x() / 100.0)};
+}
+
+inline Point2 rotated(const Point2& p) { return {0.8 * p.x() - 0.6 * p.y(), 0.6 * p.x() + 0.8 * p.y()}; }
+
 }  // namespace floe::test

@@ -11,12 +11,6 @@
 
 namespace floe::response {
 
-/// Whether a quantity follows from the displacement alone; pressure and relative elevation do not.
-bool is_structural(Quantity quantity);
-
-/// Whether it is a moment, a shear force or a stress: those profit from the static correction.
-bool is_section_force(Quantity quantity);
-
 /// Values of the modes at points of the plate, so that every structural quantity costs one small
 /// product a wave (R.1).
 class ModalBasis {

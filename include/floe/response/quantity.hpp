@@ -42,4 +42,10 @@ std::optional<Quantity> quantity_from_name(std::string_view name);
 /// All of them, in the order above.
 const std::vector<Quantity>& all_quantities();
 
+/// Whether a quantity follows from the displacement alone; pressure and relative elevation do not.
+bool is_structural(Quantity quantity);
+
+/// Whether it is a moment, a shear force or a stress: those profit from the static correction.
+bool is_section_force(Quantity quantity);
+
 }  // namespace floe::response
