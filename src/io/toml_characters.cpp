@@ -81,11 +81,17 @@ class Scanner {
     name.remove_prefix(std::min(name.find_first_not_of(" \t"), name.size()));
     if (name.empty() || starts_a_name(name.front()) || name.front() == ']') return;
     if (!twice && name.front() == '[') return;  // the parser says that brackets stand together
+    const auto c = static_cast<unsigned char>(name.front());
+    if ((c < 0x20 && c != '\n') || c >= 0x7f) return;  // will be refused where it stands
     refuse("name of a section that begins with neither a letter, a digit, _, - nor a quote");
   }
 
   void step_inside() {
-    if (quotes_.front() == '"' && rest_.front() == '\\') return advance(2);
+    if (quotes_.front() == '"' && rest_.front() == '\\') {
+      if (rest_.size() > 1 && static_cast<unsigned char>(rest_[1]) >= 0x80)
+        refuse("letter beyond ASCII behind a backslash");
+      return advance(2);
+    }
     const bool broken = quotes_.size() == 1 && rest_.front() == '\n';  // the parser will say so
     // Three quotes that close may follow one or two that do not
     const bool closed = rest_.starts_with(quotes_) &&

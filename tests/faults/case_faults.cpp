@@ -76,6 +76,8 @@ std::vector<Fault> unreadable() {
        kCaseText + "[output]\nx = [40, \n }]\n"},
       {3, "QuoteWithinAWord", 3, "case.toml:2:14: not valid TOML: quote within a word",
        with_depth("[ 1-0\"\xef\xbb\xbb]")},
+      {3, "LetterBehindABackslash", 3, "case.toml:1:11: not valid TOML: letter beyond ASCII behind",
+       "title = \"a\\\xef\xbf\xbf\"\n" + kCaseText},
       {3, "LetterAsValue", 3,
        "case.toml:2:9: not valid TOML: letter beyond ASCII outside of quotes",
        with_depth("\xc3\xa9")},

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "test_case.hpp"
-
 #include "mesh/file_content.hpp"
+#include "test_case.hpp"
 #include "test_paths.hpp"
 
 #include <floe/mesh/mesh_file.hpp>

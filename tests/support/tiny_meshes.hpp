@@ -94,6 +94,8 @@ inline Point2 bent(const Point2& p) {
   return {radius * std::sin(p.x() / 100.0), radius * std::cos(p.x() / 100.0)};
 }
 
-inline Point2 rotated(const Point2& p) { return {0.8 * p.x() - 0.6 * p.y(), 0.6 * p.x() + 0.8 * p.y()}; }
+inline Point2 rotated(const Point2& p) {
+  return {0.8 * p.x() - 0.6 * p.y(), 0.6 * p.x() + 0.8 * p.y()};
+}
 
 }  // namespace floe::test
