@@ -11,6 +11,7 @@
 #include <sys/resource.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <limits>
 #include <sstream>
 
@@ -122,8 +123,10 @@ TEST(DirectoryStore, WritesNumbersThatReadBackExactly) {
 
 TEST(DirectoryStore, WritesEqualRunsEqually) {
   const TestFolder folder;
+  ::setenv("SOURCE_DATE_EPOCH", "0", 1);  // result.nc tells when it was made
   store_all(folder.path() / "a");
   store_all(folder.path() / "b");
+  ::unsetenv("SOURCE_DATE_EPOCH");
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path() / "a")) {
     if (!entry.is_regular_file() || entry.path().filename() == "run.json") continue;
     const std::string name = entry.path().lexically_relative(folder.path() / "a").string();
