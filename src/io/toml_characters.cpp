@@ -82,7 +82,8 @@ class Scanner {
     if (name.empty() || starts_a_name(name.front()) || name.front() == ']') return;
     if (!twice && name.front() == '[') return;  // the parser says that brackets stand together
     const auto c = static_cast<unsigned char>(name.front());
-    if ((c < 0x20 && c != '\n') || c >= 0x7f) return;  // will be refused where it stands
+    if ((c < 0x20 && c != '\n' && c != '\r') || c >= 0x7f)
+      return;  // will be refused where it stands
     refuse("name of a section that begins with neither a letter, a digit, _, - nor a quote");
   }
 
