@@ -1,4 +1,5 @@
 #include "analysis_stages.hpp"
+#include "name_frequency.hpp"
 #include "work_share.hpp"
 
 #include <floe/analysis.hpp>
@@ -43,7 +44,9 @@ void analyse(const Case& data, Log& log, Store& store) {
                  "frequency " + std::to_string(i + 1) + " of " + std::to_string(data.omega.size()));
     const auto solve = modal ? solve_frequency : solve_frequency_direct;
     const std::optional<FrequencyResult> known = store.known_frequency(i);
-    store.frequency(known ? *known : solve(data, plate, fluid(), data.omega[i], clock));
+    store.frequency(known ? *known : name_frequency(data.omega[i], data.water, meshes.fluid, [&] {
+      return solve(data, plate, fluid(), data.omega[i], clock);
+    }));
     work.frequency(known.has_value());
   }
 

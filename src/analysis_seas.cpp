@@ -177,6 +177,16 @@ NodeSpectrumSink sink_of(const Case& data, std::size_t frequency, Store& store) 
   };
 }
 
+// What a later run needs to go on at the frequency `next`
+SeaMarch state_of(const FluidMarch& march, const ResponseDifference& difference,
+                  const SeaFluid& waves, std::size_t next) {
+  SeaMarch state = march.state();
+  state.next = next;
+  state.largest_response = difference.largest();
+  state.pressure_error = waves.pressure_error();
+  return state;
+}
+
 void tell_results(const SeaStatistics& statistics, const Case& data, Log& log, Store& store) {
   for (const SeaResult& result : statistics.results()) {
     store.sea(result);
@@ -244,11 +254,7 @@ void solve_seas(const Case& data, const SeaBand& band, const PlateModel& plate,
       statistics.add(transfer, sink_of(data, i, store));
     });
     if (march.solved() == kept) continue;
-    SeaMarch state = march.state();
-    state.next = i + 1;
-    state.largest_response = difference.largest();
-    state.pressure_error = waves.pressure_error();
-    store.sea_march(state);
+    store.sea_march(state_of(march, difference, waves, i + 1));
     kept = march.solved();
   }
 

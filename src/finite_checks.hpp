@@ -4,11 +4,11 @@
 
 namespace floe {
 
-/// Throws ConvergenceError naming the array and the frequency where a result holds a number that is
-/// not finite: no such number may be stored.
+/// Throws ConvergenceError naming the array where a result holds a number that is not finite: no
+/// such number may be stored.
 void require_finite(const FrequencyResult& result);
 
-/// The same of the states of a sea's waves.
+/// The same of the states of a sea's waves, naming the frequency too.
 void require_finite(const SeaTransfer& transfer);
 
 }  // namespace floe

@@ -25,7 +25,10 @@ export function timing(data) {
   return table(
     'Time and memory by stage',
     ['stage', 'time', 'peak memory so far'],
-    data.stages.map(({ stage, seconds, peak_memory }) => [stage, duration(seconds), bytes(peak_memory)]),
+    [
+      ...data.stages.map(({ stage, seconds, peak_memory }) => [stage, duration(seconds), bytes(peak_memory)]),
+      ...(data.seconds_before > 0 ? [['earlier runs, resumed', duration(data.seconds_before), '']] : []),
+    ],
     [1, 2],
   );
 }

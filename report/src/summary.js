@@ -41,7 +41,7 @@ function solved(data) {
   const range = omega.length === 1 ? `ω = ${number(omega[0])} rad/s` : `ω from ${number(omega[0])} to ${number(omega.at(-1))} rad/s`;
   const extent = structure.extent.map((value) => number(value, 4)).join(' × ');
   const plates = structure.pieces > 1 ? `${structure.pieces} plates within ` : '';
-  const seconds = data.stages.reduce((sum, { seconds: s }) => sum + s, 0);
+  const seconds = data.stages.reduce((sum, { seconds: s }) => sum + s, data.seconds_before);
   const seas = (data.seas ?? []).map(
     (sea) => `Sea “${sea.name}”: ${inWords(sea.text ?? '')}; ${counted(sea.mean_heading_deg.length, 'mean heading')}`,
   );

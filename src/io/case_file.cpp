@@ -1,6 +1,5 @@
 #include "io/case_sections.hpp"
 #include "io/regular_file.hpp"
-#include "io/toml_characters.hpp"
 
 #include <floe/io/case_file.hpp>
 #include <floe/numeric/error.hpp>
@@ -16,7 +15,6 @@ namespace {
 constexpr std::uintmax_t kLargestFile = 16u << 20;
 
 toml::table parse(const std::string& content, const CaseSource& source) {
-  require_toml_characters(content, source);
   try {
     return toml::parse(content, source.name);
   } catch (const toml::parse_error& error) {

@@ -143,10 +143,14 @@ std::string spectrum_words(const Section& sea, const wave::Spectrum& spectrum) {
   const auto add = [&](const std::string& what, const std::string& value) {
     numbers += (numbers.empty() ? "" : ", ") + what + " = " + value;
   };
-  for (const char* key : {"significant_height", "significant_period", "peak_period", "gamma"})
-    if (const toml::node* node = sea.find(key)) add(key, shown(*node));
+  const std::pair<const char*, const char*> units[] = {{"significant_height", " m"},
+                                                       {"significant_period", " s"},
+                                                       {"peak_period", " s"},
+                                                       {"gamma", ""}};
+  for (const auto& [key, unit] : units)
+    if (const toml::node* node = sea.find(key)) add(key, shown(*node) + unit);
   if (sea.find("omega"))
-    add("4√m0", fmt::format("{:.6g} over {} frequencies", 4.0 * std::sqrt(spectrum.m0()),
+    add("4√m0", fmt::format("{:.6g} m over {} frequencies", 4.0 * std::sqrt(spectrum.m0()),
                             sea.numbers("omega", kFrequency).value.size()));
   return fmt::format("{} ({})", sea.text_or("spectrum", ""), numbers);
 }

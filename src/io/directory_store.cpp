@@ -64,6 +64,7 @@ void DirectoryStore::Impl::begin(const Case& given, const mesh::Q8Mesh& mesh,
   RunAccount account = describe_run(given, mesh, plan);
   const nlohmann::ordered_json manifest = make_manifest(given, account.mesh_hash);
   claim(manifest, estimate_disk(given, mesh));
+  if (resume_) account.seconds_before = seconds_of_run(directory.path() / "run.json");
 
   // The account first, so that every file of the run is listed before it is there
   std::vector<std::string>& files = account.files;

@@ -18,6 +18,7 @@ RunAccount account_of(const StoredRun& run, const mesh::Q8Mesh& mesh) {
   RunAccount account = describe_run(run.data(), mesh, run.plan());
   account.threads = run.threads();
   account.stages = run.stages();
+  account.seconds_before = run.seconds_before();
   account.status = run.status();
   account.peak_memory = told.value("peak_memory", 0.0);
   account.files = told.value("files", std::vector<std::string>());

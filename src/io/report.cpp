@@ -243,7 +243,8 @@ Json account_json(const ReportContent& content) {
   for (const StageTime& stage : content.stages)
     stages.push_back(
         {{"stage", stage.stage}, {"seconds", stage.seconds}, {"peak_memory", stage.peak_memory}});
-  return {{"convergence", frequencies}, {"stages", stages}};
+  return {
+      {"convergence", frequencies}, {"stages", stages}, {"seconds_before", content.seconds_before}};
 }
 
 Json sea_json(const ReportSea& sea, const mesh::Drawing& drawing) {

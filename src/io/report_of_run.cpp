@@ -94,6 +94,7 @@ std::string report_page(const StoredRun& run) {
                       .seas = report_seas(run, run.data().plate_mesh.empty()),
                       .motions = modal ? ReportMotions{} : stored_motions(run.data(), results),
                       .regions = known_regions(run.data(), mesh),
+                      .seconds_before = run.seconds_before(),
                       .checks = run.checks()});
 }
 

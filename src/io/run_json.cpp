@@ -141,6 +141,7 @@ std::string run_json(const Json& options, const RunAccount& account) {
       {"checks", checks_json(account.checks)},
       {"warnings", account.warnings},
       {"stages", stages},
+      {"seconds_before", account.seconds_before},
       {"peak_memory", account.peak_memory > 0.0 ? account.peak_memory : numeric::peak_memory()},
       {"files", account.files}};
   return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -153,6 +154,18 @@ std::string status_of_run(const std::filesystem::path& account) {
   } catch (const InputError&) {
   }
   return "";
+}
+
+double seconds_of_run(const std::filesystem::path& account) {
+  try {
+    const Json document = Json::parse(read_regular_file(account, kLargestAccount));
+    double sum = document.value("seconds_before", 0.0);
+    for (const Json& stage : document.at("stages")) sum += stage.at("seconds").get<double>();
+    return sum;
+  } catch (const Json::exception&) {
+  } catch (const InputError&) {
+  }
+  return 0.0;
 }
 
 std::vector<std::string> files_of_run(const std::filesystem::path& account) {

@@ -47,6 +47,7 @@ struct RunAccount {
   };
   std::vector<Climate> climates;
   std::vector<StageTime> stages;
+  double seconds_before = 0.0;        ///< of stages of earlier runs that this one resumed [s]
   double peak_memory = 0.0;           ///< [byte]; 0: of this process
   std::vector<std::string> left_out;  ///< products that its route does not know
   std::vector<std::string> files;     ///< all files of the run, relative
@@ -64,6 +65,10 @@ std::string run_json(const nlohmann::ordered_json& options, const RunAccount& ac
 
 /// The status that a `run.json` tells; "" where it tells none.
 std::string status_of_run(const std::filesystem::path& account);
+
+/// The seconds of all stages that a `run.json` tells, with those of runs that it resumed; 0 where
+/// it tells none.
+double seconds_of_run(const std::filesystem::path& account);
 
 /// The files that a `run.json` lists as made by its run.
 /// Throws StoreError when it is not a readable account of floe.

@@ -59,6 +59,7 @@ StoredRun::StoredRun(std::filesystem::path directory) : directory_(std::move(dir
     warnings_ = account.value("warnings", std::vector<std::string>());
     for (const Json& stage : account.value("stages", Json::array()))
       stages_.push_back({stage.at("stage"), stage.at("seconds"), stage.at("peak_memory")});
+    seconds_before_ = account.value("seconds_before", 0.0);
     for (const Json& check : account.value("checks", Json::array()))
       checks_.push_back(check_from(check));
     for (const Json& sea : manifest.at("options").at("sea")) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <toml++/toml.h>
+#include "io/toml_parser.hpp"
 
 #include <filesystem>
 #include <map>

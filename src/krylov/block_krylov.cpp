@@ -49,13 +49,6 @@ Combination orthonormal_combination(MatXcd gram) {
           value[value.size() - count] > kWellKnown * largest};
 }
 
-MatXcd select_columns(const MatXcd& block, const std::vector<Index>& columns) {
-  MatXcd selected(block.rows(), static_cast<Index>(columns.size()));
-  for (std::size_t j = 0; j < columns.size(); ++j)
-    selected.col(static_cast<Index>(j)) = block.col(columns[j]);
-  return selected;
-}
-
 void copy_columns(const Eigen::Ref<const MatXcd>& from, const std::vector<Index>& columns,
                   Eigen::Ref<MatXcd> to) {
 #pragma omp parallel for schedule(static)
@@ -104,8 +97,8 @@ Index BlockKrylov<Scalar>::choose(double threshold, Index limit) {
   if (candidates_ == 0 || open.empty()) return 0;
 
   // The residuals' coordinates along the candidates and their principal directions  (S.4)
-  const MatXcd part = rotation_.bottomRightCorner(tail, candidates_).adjoint() *
-                      select_columns(rhs_.bottomRows(tail), open);
+  const MatXcd residual = rhs_.bottomRows(tail)(Eigen::all, open);
+  const MatXcd part = rotation_.bottomRightCorner(tail, candidates_).adjoint() * residual;
   const Eigen::SelfAdjointEigenSolver<MatXcd> eigen(part * part.adjoint());
   const VecXd value = eigen.eigenvalues().reverse();  // squares, descending
   const MatXcd direction = eigen.eigenvectors().rowwise().reverse();

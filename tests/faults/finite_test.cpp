@@ -1,6 +1,8 @@
 #include "fabricated_results.hpp"
 #include "finite_checks.hpp"
+#include "name_frequency.hpp"
 
+#include <floe/mesh/rectangle.hpp>
 #include <floe/numeric/error.hpp>
 
 #include <gmock/gmock.h>
@@ -26,7 +28,7 @@ std::string complaint(const std::function<void(FrequencyResult&)>& spoil) {
   return "";
 }
 
-TEST(Finite, NamesThePhaseAndTheFrequency) {
+TEST(Finite, NamesTheArray) {
   using Result = FrequencyResult;
   EXPECT_EQ(complaint([](Result&) {}), "");
   const std::pair<const char*, std::function<void(Result&)>> table[] = {
@@ -49,15 +51,39 @@ TEST(Finite, NamesThePhaseAndTheFrequency) {
   };
   for (const auto& [name, spoil] : table)
     EXPECT_EQ(complaint(spoil), std::string("invalid ") + name +
-                                    " at omega = 0.4 rad/s: not finite (must be; please report "
-                                    "this with the case)");
+                                    ": not finite (must be; please report this with the case)");
 }
 
 TEST(Finite, HoldsForTheStatesOfSeas) {
   SeaTransfer transfer{0.5, MatXcd::Ones(3, 4)};
   EXPECT_NO_THROW(require_finite(transfer));
   transfer.state(2, 3) = kNan;
-  EXPECT_THROW(require_finite(transfer), ConvergenceError);
+  try {
+    require_finite(transfer);
+    FAIL() << "not refused";
+  } catch (const ConvergenceError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("transfer function at omega = 0.5 rad/s: not"));
+  }
+}
+
+TEST(NameFrequency, TellsItAndWhereTheMeshIsCoarse) {
+  const mesh::Q8Mesh mesh = mesh::make_rectangle(
+      {.length = 60.0, .width = 12.0, .nx = 20, .ny = 4});  // nodes 1.5 m apart
+  const wave::Water water;
+  const auto message = [&](double omega) -> std::string {
+    try {
+      name_frequency(omega, water, mesh, []() -> int { throw ConvergenceError("it failed"); });
+    } catch (const ConvergenceError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(message(0.5), "omega = 0.5 rad/s: it failed");
+  // 2 π 9.81 / 4² = 3.852 m
+  EXPECT_EQ(message(4.0),
+            "omega = 4 rad/s: it failed; the mesh has 2.6 nodes per wavelength (refine it, 6 are "
+            "enough)");
+  EXPECT_EQ(name_frequency(1.0, water, mesh, [] { return 3; }), 3);
 }
 
 }  // namespace

@@ -109,6 +109,13 @@ std::vector<Fault> wrong_meshes() {
        with("[0.4, 0.5]", "[0.4, 1.5]")},
       {30, "TooCoarseAllowed", 0, "coarse mesh: 0.73 nodes per wavelength",
        with("[0.4, 0.5]", "[0.4, 1.5]"), "run case.toml --allow-coarse"},
+      {46, "TooCoarseToConverge", 8,
+       "; the mesh has 2.6 nodes per wavelength (refine it, 6 are enough)",
+       replaced(with("length = 300.0, width = 60.0, nx = 4, ny = 2",
+                     "length = 60.0, width = 12.0, nx = 20, ny = 4"),
+                "[0.4, 0.5]", "[4.0]") +
+           "[solver]\nmethod = \"lattice\"\n",
+       "run case.toml --allow-coarse"},
       {31, "SlenderElements", 0, "slender elements: aspect ratio",
        with("width = 60.0", "width = 1.0")},
       {32, "OneElement", 0, "results",

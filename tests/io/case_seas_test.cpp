@@ -79,8 +79,9 @@ mean_heading_deg = [0]
   EXPECT_TRUE(data.seas[1].allow_truncation);
   EXPECT_THAT(data.seas[3].mean_heading_deg, ElementsAre(0.0));
   EXPECT_TRUE(data.seas[4].partitions[0].spreading.long_crested());
-  EXPECT_EQ(data.seas[1].description,
-            "jonswap (significant_height = 3, peak_period = 9, gamma = 2), spreading cos2s s = 10");
+  EXPECT_EQ(
+      data.seas[1].description,
+      "jonswap (significant_height = 3 m, peak_period = 9 s, gamma = 2), spreading cos2s s = 10");
 }
 
 TEST(CaseSeas, PartitionsTurnAgainstTheFirst) {

@@ -115,7 +115,7 @@ TEST_F(Report, HasTheMomentsOfEveryMode) {
 // A sea whose numbers are only there to be shown
 ReportSea shown_sea(const Case& data, Index nodes) {
   ReportSea sea{.name = "design",
-                .text = "bretschneider (significant_height = 2), spreading cos2",
+                .text = "bretschneider (significant_height = 2 m), spreading cos2",
                 .mean_heading_deg = {0.0, 90.0},
                 .std = {},
                 .zero_crossing_period = {},

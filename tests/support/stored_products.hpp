@@ -53,7 +53,8 @@ inline std::map<std::string, std::string> variables_in(const std::filesystem::pa
 /// `run.json` without what two equal runs may differ in: times, threads, memory, records set aside.
 inline nlohmann::json lasting_account(const TestFolder& folder, const std::string& name) {
   nlohmann::json run = nlohmann::json::parse(folder.read(name + "/run.json"));
-  for (const char* key : {"plan", "stages", "peak_memory", "files"}) run.erase(key);
+  for (const char* key : {"plan", "stages", "seconds_before", "peak_memory", "files"})
+    run.erase(key);
   for (nlohmann::json& frequency : run.at("frequencies")) frequency.erase("seconds");
   return run;
 }

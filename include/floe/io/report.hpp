@@ -44,6 +44,7 @@ struct ReportContent {
   std::vector<ReportSea> seas;
   ReportMotions motions = {};                       ///< of the direct route
   std::optional<plate::PlateRegions> regions = {};  ///< where the case has any and they are known
+  double seconds_before = 0.0;                      ///< of stages of runs that were resumed [s]
   std::vector<SelfCheck> checks = {};               ///< of the run; empty: made of the results
 };
 

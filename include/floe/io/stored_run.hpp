@@ -26,6 +26,7 @@ class StoredRun {
   const std::string& status() const { return status_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
   const std::vector<StageTime>& stages() const { return stages_; }
+  double seconds_before() const { return seconds_before_; }  ///< of runs that were resumed [s]
   /// What the run told about itself; empty where it did not come to its end.
   const std::vector<SelfCheck>& checks() const { return checks_; }
   int threads() const;      ///< that the run had; 1 if that is lost
@@ -60,6 +61,7 @@ class StoredRun {
   std::string text_, status_, manifest_, account_;
   std::vector<std::string> warnings_, sea_names_, sea_descriptions_;
   std::vector<StageTime> stages_;
+  double seconds_before_ = 0.0;
   std::vector<SelfCheck> checks_;
 };
 
