@@ -152,7 +152,7 @@ void read_seas(const Section& root, const std::filesystem::path& folder, Case& d
   data.seas = read_sea_states(root, folder);
   if (const toml::node* node = root.find("sea")) {
     std::ostringstream text;
-    text << toml::default_formatter(*node);
+    text << toml::json_formatter(*node);  // the other one computes widths beyond any type
     data.sea_text = text.str();
   }
   data.sea_files = root.source().files;
