@@ -1,7 +1,8 @@
 """Rules of CONTRIBUTING.md that a compiler does not see: length of files, no prints in the library,
-no `using namespace` in headers.
+no `using namespace` in headers, scripts that can be started.
 """
 
+import os
 import re
 
 import house
@@ -27,6 +28,10 @@ def check(root):
                 complaints.append(f"{path}:{number}: the library prints (give it to the caller's Log)")
             if path.suffix == ".hpp" and USING_NAMESPACE.search(line):
                 complaints.append(f"{path}:{number}: using namespace in a header")
+    for path in house.files_under(root, [*CODE, "scripts"], ("", ".py")):
+        begins = (root / path).read_bytes()[:2]
+        if begins == b"#!" and not os.access(root / path, os.X_OK):
+            complaints.append(f"{path}:1: begins with #! and cannot be started (chmod +x)")
     return complaints
 
 
@@ -42,6 +47,7 @@ BAD = [
     ({"fmm/src/sum.cpp": 'int x;\nvoid g() { printf("%d", x); }\n'}, "fmm/src/sum.cpp:2: the library prints"),
     ({"include/floe/io/text.hpp": "inline void p() { fprintf(stderr, name); }\n"}, "the library prints"),
     ({"include/floe/io/text.hpp": "using namespace std;\n"}, "using namespace in a header"),
+    ({"examples/python/figures.py": "#!/usr/bin/python3\n"}, "figures.py:1: begins with #!"),
     ({"src/io/text.cpp": "\n" * (LONGEST_FILE + 1)}, "too long"),
 ]
 
