@@ -1,6 +1,6 @@
 // Line charts by uPlot, in the page's colours; they follow the page's width and theme.
 import uPlot from 'uplot';
-import { element } from './dom.js';
+import { chooser, element } from './dom.js';
 import { number } from './format.js';
 
 const style = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
@@ -67,6 +67,18 @@ export class Chart {
     this.plot?.destroy();
     this.plot = new uPlot(options(this.spec, this.width()), this.spec.values, this.box);
   }
+}
+
+// A card with a chart of `spec()`, which reads `state`, and choosers [label, options, key of state]
+export function chartCard(title, state, spec, choosers) {
+  const chart = new Chart(spec());
+  const controls = choosers.map(([label, options, key]) =>
+    chooser(label, options, (index) => {
+      state[key] = index;
+      chart.update(spec());
+    }),
+  );
+  return element('div', { class: 'card' }, element('h3', {}, title), element('div', { class: 'controls' }, ...controls), chart.box);
 }
 
 export function paintCharts() {

@@ -1,5 +1,5 @@
 // Response to seas: spectra at points, standard deviations and design values.
-import { Chart } from './charts.js';
+import { chartCard } from './charts.js';
 import { chooser, element, table } from './dom.js';
 import { inWords, number, withUnit } from './format.js';
 
@@ -28,23 +28,10 @@ function spectra(data, sea) {
       range: [0, null],
     };
   };
-  const chart = new Chart(spec());
-  const set = (name) => (index) => {
-    state[name] = index;
-    chart.update(spec());
-  };
-  return element(
-    'div',
-    { class: 'card' },
-    element('h3', {}, `Spectra, sea “${sea.name}”`),
-    element(
-      'div',
-      { class: 'controls' },
-      chooser('Quantity', quantities.map((q) => data.quantities[q].label), set('quantity')),
-      chooser('Mean heading', sea.mean_heading_deg.map((h) => `${number(h)}°`), set('mean')),
-    ),
-    chart.box,
-  );
+  return chartCard(`Spectra, sea “${sea.name}”`, state, spec, [
+    ['Quantity', quantities.map((q) => data.quantities[q].label), 'quantity'],
+    ['Mean heading', sea.mean_heading_deg.map((h) => `${number(h)}°`), 'mean'],
+  ]);
 }
 
 function statistics(data, sea) {

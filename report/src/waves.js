@@ -1,7 +1,7 @@
 // Response to regular waves: curves over the frequency at points, and along lines.
-import { Chart } from './charts.js';
+import { chartCard } from './charts.js';
 import { raoMagnitude, raoPhase } from './data.js';
-import { chooser, element } from './dom.js';
+import { element } from './dom.js';
 import { number } from './format.js';
 
 function overFrequency(data) {
@@ -23,24 +23,11 @@ function overFrequency(data) {
       range: state.part === 0 ? [0, null] : [-180, 180],
     };
   };
-  const chart = new Chart(spec());
-  const set = (name) => (index) => {
-    state[name] = index;
-    chart.update(spec());
-  };
-  return element(
-    'div',
-    { class: 'card' },
-    element('h3', {}, 'At points'),
-    element(
-      'div',
-      { class: 'controls' },
-      chooser('Quantity', data.quantities.map(({ label }) => label), set('quantity')),
-      chooser('Show', ['amplitude', 'phase'], set('part')),
-      chooser('Heading', data.waves.heading_deg.map((h) => `${number(h)}°`), set('heading')),
-    ),
-    chart.box,
-  );
+  return chartCard('At points', state, spec, [
+    ['Quantity', data.quantities.map(({ label }) => label), 'quantity'],
+    ['Show', ['amplitude', 'phase'], 'part'],
+    ['Heading', data.waves.heading_deg.map((h) => `${number(h)}°`), 'heading'],
+  ]);
 }
 
 function alongLines(data) {
@@ -66,23 +53,10 @@ function alongLines(data) {
       range: [0, null],
     };
   };
-  const chart = new Chart(spec());
-  const set = (name) => (index) => {
-    state[name] = index;
-    chart.update(spec());
-  };
-  return element(
-    'div',
-    { class: 'card' },
-    element('h3', {}, 'Along lines'),
-    element(
-      'div',
-      { class: 'controls' },
-      chooser('Line', data.lines.map(({ name }) => name), set('line')),
-      chooser('Heading', data.waves.heading_deg.map((h) => `${number(h)}°`), set('heading')),
-    ),
-    chart.box,
-  );
+  return chartCard('Along lines', state, spec, [
+    ['Line', data.lines.map(({ name }) => name), 'line'],
+    ['Heading', data.waves.heading_deg.map((h) => `${number(h)}°`), 'heading'],
+  ]);
 }
 
 export const waves = (data) => element('div', { class: 'cards' }, overFrequency(data), alongLines(data));
