@@ -14,7 +14,46 @@ namespace {
 
 constexpr std::uintmax_t kLargestFile = 16u << 20;
 
+// A key of many parts makes tables in tables, through which the parser goes by recursion. Refuses
+// the line in which a key has too many; texts in quotes and comments may hold any dots
+void require_shallow_keys(std::string_view content, const CaseSource& source) {
+  constexpr int kMostDots = 100;
+  int dots = 0;
+  toml::source_region place;
+  place.begin = {1, 1};
+  std::string_view quotes;  // of the text that is open
+  bool comment = false;
+  for (std::size_t i = 0; i < content.size(); ++i) {
+    const char c = content[i];
+    const bool line_ends = c == '\n';
+    if (line_ends) ++place.begin.line;
+    if (comment) {
+      comment = !line_ends;
+    } else if (!quotes.empty()) {
+      const bool closes = content.substr(i).starts_with(quotes);
+      const bool escapes = c == '\\' && quotes.front() == '"';
+      if (escapes && !content.substr(i + 1).starts_with('\n')) ++i;
+      if (closes) i += quotes.size() - 1;
+      // Three quotes that close may follow one or two that do not
+      for (int more = 0; closes && quotes.size() == 3 && more < 2; ++more)
+        if (content.substr(i + 1).starts_with(c)) ++i;
+      if (closes || (line_ends && quotes.size() == 1)) quotes = {};
+    } else if (c == '"' || c == '\'') {
+      const bool long_text = content.substr(i).starts_with(std::string(3, c));
+      quotes = content.substr(i, long_text ? 3 : 1);
+      i += quotes.size() - 1;
+    } else if (c == '.') {
+      if (++dots > kMostDots)
+        source.refuse(place, fmt::format("invalid key of more than {} parts", kMostDots));
+    } else {
+      comment = c == '#';
+      if (std::string_view("=,[]{}\n").find(c) != std::string_view::npos) dots = 0;
+    }
+  }
+}
+
 toml::table parse(const std::string& content, const CaseSource& source) {
+  require_shallow_keys(content, source);
   try {
     return toml::parse(content, source.name);
   } catch (const toml::parse_error& error) {

@@ -9,6 +9,7 @@
 #include <cstdlib>
 
 #define TOML_HEADER_ONLY 0
+#define TOML_MAX_NESTED_VALUES 16
 #if __has_include(<toml++/impl/preprocessor.h>)
 #include <toml++/impl/preprocessor.h>
 // Tables of characters: what is not in them is none of theirs

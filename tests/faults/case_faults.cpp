@@ -40,6 +40,12 @@ std::string with_windows_ends() {
 std::string with_depth(const std::string& depth) { return with("58.5", depth); }
 std::string with_waves(const std::string& axis) { return with("omega = [0.4, 0.5]", axis); }
 
+std::string dotted(const std::string& begin, const std::string& part, int count) {
+  std::string text = begin;
+  for (int i = 0; i < count; ++i) text += part;
+  return text + " = 1\n" + kCaseText;
+}
+
 std::string long_list(int count) {
   std::string list = "omega = [0.4";
   for (int i = 1; i < count; ++i) list += ",1";
@@ -93,12 +99,16 @@ std::vector<Fault> unreadable() {
          for (int i = 0; i < 20'000; ++i) text += "{a=";
          return text;
        }()},
-      {3, "LongDottedKey", 3, "",
-       [] {
-         std::string text = "a";
-         for (int i = 0; i < 20'000; ++i) text += ".a";
-         return text + " = 1\n" + kCaseText;
-       }()},
+      {3, "LongDottedKey", 3, "case.toml:1:1: invalid key of more than 100 parts",
+       dotted("a", ".a", 7'000'000)},
+      {3, "LongQuotedKey", 3, "case.toml:1:1: invalid key of more than 100 parts",
+       dotted("'='", ".\"=\\\"\"", 1'000'000)},
+      {3, "LongKeyBehindFiveQuotes", 3, "case.toml:1:1: invalid key of more than 100 parts",
+       dotted("x = { a = \"\"\"b\"\"\"\"\", b", ".b", 3'000'000)},
+      {3, "LongSectionName", 3, "case.toml:1:1: invalid key of more than 100 parts",
+       dotted("[a", ".a", 3'000'000)},
+      {3, "DotsInTextsAndComments", 0, "37 nodes",
+       "title = \"" + std::string(200, '.') + "\"  # " + std::string(200, '.') + "\n" + kCaseText},
       {3, "RandomBytes", 3, "not valid TOML", random_bytes(3 << 20)},
       {3, "ByteOrderMark", 0, "37 nodes", "\xef\xbb\xbf" + kCaseText},
       {3, "WindowsLineEnds", 0, "37 nodes", with_windows_ends()},
