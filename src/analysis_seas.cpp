@@ -1,4 +1,5 @@
 #include "finite_checks.hpp"
+#include "name_frequency.hpp"
 #include "sea_fluid.hpp"
 #include "work_share.hpp"
 
@@ -222,7 +223,9 @@ void solve_seas(const Case& data, const SeaBand& band, const PlateModel& plate,
         waves.remember_pressure_error(known->pressure_error);
         return std::move(*known);
       }
-    FluidSample sample = clock.time("seas: radiation", [&] { return waves.solve(omega); });
+    FluidSample sample = clock.time("seas: radiation", [&] {
+      return name_frequency(omega, data.water, mesh, [&] { return waves.solve(omega); });
+    });
     store.sea_sample(number, sample);
     return sample;
   };

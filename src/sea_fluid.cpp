@@ -1,7 +1,5 @@
 #include "sea_fluid.hpp"
 
-#include "name_frequency.hpp"
-
 #include <floe/coupling/modal_equation.hpp>
 #include <floe/hydro/point_pressure.hpp>
 #include <floe/hydro/surface_integrals.hpp>
@@ -68,17 +66,15 @@ FluidSample SeaFluid::solve(double omega) {
   const auto pressure_operator = make_operator(data_, fluid_, green);
   MatXd deflection(fluid_.deflection.rows(), modes_ + section_forces_);
   deflection << fluid_.deflection, influence_.at(omega);
-  return name_frequency(omega, data_.water, fluid_.integrals.mesh(), [&] {
-    hydro::Radiation radiation =
-        hydro::solve_radiation(*pressure_operator, deflection, fluid_.surface_mass, omega,
-                               data_.water, residual_limit(data_, fluid_));
-    FluidSample sample{.omega = omega,
-                       .pressure = std::move(radiation.pressure),
-                       .fluid_matrix = std::move(radiation.fluid_matrix)};
-    if (pressures_ > 0) add_point_pressures(*pressure_operator, green, sample);
-    remember_pressure_error(sample.pressure_error);
-    return sample;
-  });
+  hydro::Radiation radiation =
+      hydro::solve_radiation(*pressure_operator, deflection, fluid_.surface_mass, omega,
+                             data_.water, residual_limit(data_, fluid_));
+  FluidSample sample{.omega = omega,
+                     .pressure = std::move(radiation.pressure),
+                     .fluid_matrix = std::move(radiation.fluid_matrix)};
+  if (pressures_ > 0) add_point_pressures(*pressure_operator, green, sample);
+  remember_pressure_error(sample.pressure_error);
+  return sample;
 }
 
 // Their influences as further columns, and what they are worth

@@ -1,5 +1,6 @@
 #include "fault.hpp"
 #include "rows.hpp"
+#include "sanitized.hpp"
 #include "test_paths.hpp"
 
 #include <gmock/gmock.h>
@@ -75,15 +76,8 @@ TEST(FaultList, TestsEveryRowOrSaysWhyNot) {
 
 }  // namespace
 
-// The sanitizers take ten times as long, and map more than a limit of address space lets them
-#ifdef __SANITIZE_ADDRESS__
-constexpr bool kSanitized = true;
-#else
-constexpr bool kSanitized = false;
-#endif
-
 void expect_survived(const Fault& fault) {
-  if (kSanitized && fault.before.find("ulimit -v") != std::string::npos)
+  if (test::kSanitized && fault.before.find("ulimit -v") != std::string::npos)
     GTEST_SKIP() << "not with the sanitizers";
   // Lay out what the fault needs
   const TestFolder folder;
@@ -92,8 +86,9 @@ void expect_survived(const Fault& fault) {
   const auto before = content_of(folder);
 
   // Run the program, but not for ever
-  const ProgramResult result = run_floe(
-      folder, fault.arguments, fault.before + " timeout -s KILL " + (kSanitized ? "280" : "60"));
+  const ProgramResult result =
+      run_floe(folder, fault.arguments,
+               fault.before + " timeout -s KILL " + (test::kSanitized ? "280" : "60"));
   EXPECT_EQ(result.code, fault.code) << result.output << result.error;
 
   // One clear line, or none where all went well or nobody listens

@@ -1,4 +1,5 @@
 #include "floe_program.hpp"
+#include "sanitized.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -30,15 +31,6 @@ std::map<std::string, std::string> tables_in(const TestFolder& folder, const std
   return tables;
 }
 
-// With the sanitizers nothing can be put before their own allocations
-bool can_preload() {
-#ifdef __SANITIZE_ADDRESS__
-  return false;
-#else
-  return true;
-#endif
-}
-
 TEST(Locale, WithADecimalCommaGivesTheSameBytes) {
   const TestFolder folder;
   const std::string made =
@@ -59,7 +51,7 @@ TEST(Locale, WithADecimalCommaGivesTheSameBytes) {
 }
 
 TEST(Blas, ThatCannotMultiplyIsNamedAtTheStart) {
-  if (!can_preload()) GTEST_SKIP() << "not with the sanitizers";
+  if (test::kSanitized) GTEST_SKIP() << "not with the sanitizers";
   const TestFolder folder;
   folder.write("case.toml", kCaseText);
   const ProgramResult result =
@@ -83,7 +75,7 @@ std::vector<long> failing_counts() {
 // The n-th allocation fails; each time the program says so, and going on afterwards gives what was
 // never disturbed
 TEST(Allocations, MayFailAtAnyCount) {
-  if (!can_preload()) GTEST_SKIP() << "not with the sanitizers";
+  if (test::kSanitized) GTEST_SKIP() << "not with the sanitizers";
   const TestFolder folder;
   folder.write("case.toml", kCaseText + kOutput);
   ASSERT_EQ(run_floe(folder, "run case.toml -o whole --threads 1").code, 0);
