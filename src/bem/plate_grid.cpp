@@ -106,7 +106,8 @@ void PlateGrid::find_points(const mesh::Q8Mesh& mesh) {
 #pragma omp parallel for schedule(static)
   for (Index a = 0; a < count; ++a) {
     const Index point = active_[static_cast<std::size_t>(a)];
-    const Point2 place = origin_ + step_ * Point2(double(point % nx()), double(point / nx()));
+    const Index row = point / nx();
+    const Point2 place = origin_ + step_ * Point2(double(point - row * nx()), double(row));
     const Sample& sample = nearest[static_cast<std::size_t>(point)];
     mesh::ElementPoint at{sample.element, sample.xi, sample.eta};
     if (const auto found = locator.locate(swap_if(swapped_, place))) at = *found;

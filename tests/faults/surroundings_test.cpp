@@ -51,11 +51,9 @@ TEST(Locale, WithADecimalCommaGivesTheSameBytes) {
 }
 
 TEST(Blas, ThatCannotMultiplyIsNamedAtTheStart) {
-  if (test::kSanitized) GTEST_SKIP() << "not with the sanitizers";
   const TestFolder folder;
   folder.write("case.toml", kCaseText);
-  const ProgramResult result =
-      run_floe(folder, "run case.toml", std::string("LD_PRELOAD=") + FLOE_WRONG_BLAS);
+  const ProgramResult result = run_floe(folder, "run case.toml", test::preloading(FLOE_WRONG_BLAS));
   EXPECT_EQ(result.code, 1);
   EXPECT_THAT(result.error,
               HasSubstr("the BLAS library computes wrongly: error of a real product"));
@@ -81,10 +79,10 @@ TEST(Allocations, MayFailAtAnyCount) {
   ASSERT_EQ(run_floe(folder, "run case.toml -o whole --threads 1").code, 0);
   int failed = 0;
   for (const long n : failing_counts()) {
-    const ProgramResult result =
-        run_floe(folder, "run case.toml -o part --resume --threads 1",
-                 std::string("OMP_NUM_THREADS=1 LD_PRELOAD=") + FLOE_FAILING_ALLOCATIONS +
-                     " FLOE_FAIL_ALLOCATION=" + std::to_string(n) + " timeout -s KILL 60");
+    const ProgramResult result = run_floe(
+        folder, "run case.toml -o part --resume --threads 1",
+        test::preloading(FLOE_FAILING_ALLOCATIONS) +
+            "OMP_NUM_THREADS=1 FLOE_FAIL_ALLOCATION=" + std::to_string(n) + " timeout -s KILL 60");
     // 7: the netCDF library tells no reason why it cannot write
     EXPECT_THAT(result.code, AnyOf(0, 1, 6, 7)) << n << ": " << result.error;
     if (result.code == 0) {  // the allocation could be done without

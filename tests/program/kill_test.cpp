@@ -1,4 +1,5 @@
 #include "floe_program.hpp"
+#include "sanitized.hpp"
 #include "stored_products.hpp"
 #include "sweep_cases.hpp"
 
@@ -26,7 +27,7 @@ constexpr int kFolderSyncs = 20;
 const std::string kRun = "run case.toml --allow-coarse --threads 1 --progress=none -o ";
 
 std::string preloaded(const std::string& variables) {
-  return "LD_PRELOAD='" FLOE_FAULT_SHIM "' " + variables;
+  return test::preloading(FLOE_FAULT_SHIM) + variables;
 }
 
 // Stores the uninterrupted run and tells how many calls of it change files

@@ -1,5 +1,6 @@
 #include "floe_program.hpp"
 #include "record_version.hpp"
+#include "sanitized.hpp"
 #include "stored_products.hpp"
 
 #include <gmock/gmock.h>
@@ -288,7 +289,7 @@ TEST(ResultFolder, WithoutLocksIsUsedWithAWarning) {
   const TestFolder folder;
   folder.write("case.toml", kCaseText);
   const ProgramResult result = run_floe(folder, "run case.toml --allow-coarse",
-                                        "LD_PRELOAD='" FLOE_FAULT_SHIM "' FLOE_NO_LOCKS=1");
+                                        test::preloading(FLOE_FAULT_SHIM) + "FLOE_NO_LOCKS=1");
   EXPECT_EQ(result.code, 0) << result.error;
   EXPECT_THAT(result.output, HasSubstr("the file system has no locks"));
   EXPECT_THAT(run_floe(folder, "run case.toml --allow-coarse --fresh").output,

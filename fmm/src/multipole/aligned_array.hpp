@@ -2,7 +2,7 @@
 
 #include <floe/numeric/types.hpp>
 
-#include <cstdint>
+#include <cstddef>
 #include <cstdlib>
 #include <memory>
 #include <new>
@@ -14,12 +14,13 @@ template <class Real>
 class AlignedArray {
  public:
   AlignedArray() = default;
-  explicit AlignedArray(Index size)
-      : memory_(std::calloc(static_cast<std::size_t>(size) * sizeof(Real) + kLine, 1)),
-        size_(size) {
+  explicit AlignedArray(Index size) : size_(size) {
+    const std::size_t bytes = static_cast<std::size_t>(size) * sizeof(Real);
+    std::size_t space = bytes + kLine;
+    memory_.reset(std::calloc(space, 1));
     if (!memory_) throw std::bad_alloc();
-    const auto address = reinterpret_cast<std::uintptr_t>(memory_.get());
-    data_ = reinterpret_cast<Real*>((address + kLine - 1) / kLine * kLine);
+    void* begin = memory_.get();
+    data_ = static_cast<Real*>(std::align(kLine, bytes, begin, space));
   }
 
   Real* data() { return data_; }

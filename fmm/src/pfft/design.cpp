@@ -115,7 +115,8 @@ Grid make_grid(const Extent& extent, int stencil, double spacing) {
   const auto free_intervals = static_cast<double>(grid.nx - stencil - 1);
   grid.spacing = size.x() > 0.0 ? size.x() / free_intervals : spacing;
   grid.ny = static_cast<Index>(std::ceil(size.y() / grid.spacing)) + stencil + 1;
-  grid.origin = extent.low - Point2::Constant(grid.spacing * ((stencil - 1) / 2));
+  const int before = (stencil - 1) / 2;  // grid points in front of the first cell
+  grid.origin = extent.low - Point2::Constant(grid.spacing * before);
   return grid;
 }
 
