@@ -1,4 +1,5 @@
 #include "bem/near_matrix.hpp"
+#include "bem/singular_functions.hpp"
 #include "bem/source_choice.hpp"
 #include "bem/source_rule.hpp"
 
@@ -34,13 +35,6 @@ const FastOptions& validated(const FastOptions& options) {
 struct FastPressurePlan::Parts {
   Parts(const mesh::Q8Mesh& mesh_in, const FastOptions& options);
 
-  // Sources near a target for the engine
-  std::vector<Index> near_sources(Index target) const {
-    if (pfft) return pfft->near_sources(target);
-    if (multipole) return multipole->near_sources(target);
-    return {};
-  }
-
   const mesh::Q8Mesh& mesh;  // view
   SourceChoice choice;
   SourceRule rule;
@@ -66,8 +60,7 @@ FastPressurePlan::Parts::Parts(const mesh::Q8Mesh& mesh_in, const FastOptions& o
     multipole = std::make_shared<const fmm::MultipolePlan>(
         rule.points(), mesh.nodes(),
         fmm::MultipoleOptions{.leaf_size = kLeafPoints[rule.at_nodes() ? 0 : 1]});
-  pattern.emplace(mesh, rule, choice.near_radius,
-                  [this](Index target) { return near_sources(target); });
+  pattern.emplace(mesh, choice.near_radius);
   moments.emplace(*pattern, integrals, rule, options.tolerance, options.max_wavenumber,
                   options.tolerance >= kFloatTolerance);
 }
@@ -96,6 +89,7 @@ double FastPressurePlan::memory() const {
 
 struct FastPressureOperator::State {
   double kappa;
+  Complex coincident;  // G that stands for a source point at the target
   std::unique_ptr<const fmm::KernelSum> sum;
   std::variant<std::monostate, NearMatrix<float>, NearMatrix<double>> near;
 };
@@ -111,15 +105,14 @@ FastPressureOperator::FastPressureOperator(std::shared_ptr<const FastPressurePla
                                         << " rad/m, for which the operator was planned)");
   auto state = std::make_unique<State>();
   state->kappa = green.exact().nu() / (4.0 * std::numbers::pi);
+  state->coincident = SingularFunctions::rest_at_zero(green.exact());
   if (parts.pfft)
-    state->sum = std::make_unique<fmm::PfftSum>(parts.pfft, green, fmm::PfftSum::Parts::far_only);
+    state->sum = std::make_unique<fmm::PfftSum>(parts.pfft, green);
   else if (parts.multipole)
-    state->sum = std::make_unique<fmm::MultipoleSum>(parts.multipole, green, options.tolerance,
-                                                     fmm::NearSums::kEvaluated);
+    state->sum = std::make_unique<fmm::MultipoleSum>(parts.multipole, green, options.tolerance);
   else
     state->sum = std::make_unique<fmm::DirectSum>(parts.rule.points(), parts.mesh.nodes(), green);
-  const NearSetup setup{*parts.pattern, *parts.moments, parts.integrals,
-                        parts.rule,     *state->sum,    green};
+  const NearSetup setup{*parts.pattern, *parts.moments, parts.integrals, parts.rule, green};
   if (options.tolerance >= kFloatTolerance)
     state->near.emplace<NearMatrix<float>>(setup, options.tolerance);
   else
@@ -140,7 +133,8 @@ void FastPressureOperator::apply(const Eigen::Ref<const MatXcd>& x, Eigen::Ref<M
     const auto part = x.middleCols(first, count);
     auto result = y.middleCols(first, count);
     parts.rule.spread(part, charges.leftCols(count));
-    state_->sum->far_apply(charges.leftCols(count), result);
+    state_->sum->apply(charges.leftCols(count), result);
+    if (parts.rule.at_nodes()) result += state_->coincident * charges.leftCols(count);
     result = part + state_->kappa * result;
     if (const auto* near = std::get_if<NearMatrix<float>>(&state_->near))
       near->multiply_add(*parts.pattern, part, state_->kappa, result);

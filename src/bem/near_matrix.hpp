@@ -6,8 +6,9 @@
 
 namespace floe::bem {
 
-/// The near matrix C of (F.2): exact integrals over near elements minus what the engine and the
-/// source points give for them. Values in float or double; rows as NearPattern has them.
+/// The near matrix C of (F.2): exact integrals over near elements minus what the source points give
+/// for them. It is real: Im G is smooth, and its integral by the source points is as good near as
+/// far. Values in float or double; rows as NearPattern has them.
 template <class Real>
 class NearMatrix {
  public:
@@ -23,7 +24,7 @@ class NearMatrix {
   double memory() const { return sizeof(Real) * static_cast<double>(value_.size()); }
 
  private:
-  std::vector<Real> value_;  // re, im of each entry
+  std::vector<Real> value_;  // of each entry
 };
 
 }  // namespace floe::bem

@@ -26,16 +26,16 @@ class MomentRow {
   const std::vector<Moments>& values(Index block, Index row,
                                      const std::vector<PairIntegrals>& by_kind) {
     pattern_.place_entries(block, row, entry_of_node_);
-    values_.assign(pattern_.close_entries(row), Moments{});
-    const auto close = pattern_.close_elements(row);
-    elements_.assign(close.begin(), close.end());
+    values_.assign(pattern_.entry_begin(row + 1) - pattern_.entry_begin(row), Moments{});
+    const auto near = pattern_.near_elements(row);
+    elements_.assign(near.begin(), near.end());
     integral_.resize(elements_.size());
     moment_.resize(elements_.size());
     if (by_kind.empty())
       integrals_.node_singular_elements(pattern_.target(row), elements_, integral_);
     else
       for (std::size_t k = 0; k < elements_.size(); ++k)
-        integral_[k] = by_kind[pattern_.close_kinds(row)[k]];
+        integral_[k] = by_kind[pattern_.near_kinds(row)[k]];
     for (std::size_t k = 0; k < elements_.size(); ++k) {
       moment_[k] = integral_[k];
       subtract_points(pattern_.target(row), elements_[k], moment_[k]);
@@ -50,7 +50,7 @@ class MomentRow {
     return values_;
   }
 
-  /// Exact integrals of the last row, by close element.
+  /// Exact integrals of the last row, by near element.
   const std::vector<PairIntegrals>& exact() const { return integral_; }
 
  private:
@@ -119,14 +119,14 @@ int functions_for(const NearPattern& pattern, MomentRow& row,
 }
 
 template <class Real>
-void fill(const NearPattern& pattern, const std::vector<std::size_t>& begin, int functions,
-          MomentRow& row, const std::vector<PairIntegrals>& by_kind, std::vector<Real>& moments) {
+void fill(const NearPattern& pattern, int functions, MomentRow& row,
+          const std::vector<PairIntegrals>& by_kind, std::vector<Real>& moments) {
 #pragma omp for schedule(dynamic, 4)
   for (Index block = 0; block < pattern.blocks(); ++block) {
     const Index first = block * NearPattern::kBlockRows;
     const Index last = std::min(pattern.rows(), first + NearPattern::kBlockRows);
     for (Index i = first; i < last; ++i) {
-      Real* at = moments.data() + functions * begin[i];
+      Real* at = moments.data() + functions * pattern.entry_begin(i);
       for (const Moments& entry : row.values(block, i, by_kind))
         at = std::transform(entry.begin(), entry.begin() + functions, at,
                             [](double value) { return static_cast<Real>(value); });
@@ -136,7 +136,7 @@ void fill(const NearPattern& pattern, const std::vector<std::size_t>& begin, int
 
 template <class Real>
 void combine_row(const Real* moment, int functions, std::size_t count, const Moments& coefficient,
-                 std::vector<Complex>& value) {
+                 std::vector<double>& value) {
   for (std::size_t k = 0; k < count; ++k) {
     const Real* const m = moment + functions * k;
     double sum = 0.0;
@@ -150,27 +150,26 @@ void combine_row(const Real* moment, int functions, std::size_t count, const Mom
 NearMoments::NearMoments(const NearPattern& pattern, const ElementIntegrals& integrals,
                          const SourceRule& rule, double tolerance, double max_wavenumber,
                          bool in_float)
-    : begin_(pattern.rows() + 1, 0) {
-  for (Index row = 0; row < pattern.rows(); ++row)
-    begin_[row + 1] = begin_[row] + pattern.close_entries(row);
+    : pattern_(pattern) {
   const std::vector<PairIntegrals> by_kind = integrate_kinds(pattern, integrals);
   MomentRow sample(pattern, integrals, rule);
   functions_ = functions_for(pattern, sample, by_kind, tolerance, max_wavenumber);
-  const std::size_t size = functions_ * begin_.back();
+  const std::size_t size = functions_ * pattern.entry_count();
   in_float ? single_.resize(size) : double_.resize(size);
 #pragma omp parallel
   {
     MomentRow row(pattern, integrals, rule);
     if (in_float)
-      fill(pattern, begin_, functions_, row, by_kind, single_);
+      fill(pattern, functions_, row, by_kind, single_);
     else
-      fill(pattern, begin_, functions_, row, by_kind, double_);
+      fill(pattern, functions_, row, by_kind, double_);
   }
 }
 
-void NearMoments::combine(Index row, const Moments& coefficient,
-                          std::vector<Complex>& value) const {
-  const std::size_t first = functions_ * begin_[row], count = begin_[row + 1] - begin_[row];
+void NearMoments::combine(Index row, const Moments& coefficient, std::vector<double>& value) const {
+  const std::size_t first = functions_ * pattern_.entry_begin(row);
+  const std::size_t count = pattern_.entry_begin(row + 1) - pattern_.entry_begin(row);
+  value.resize(count);
   if (double_.empty())
     combine_row(single_.data() + first, functions_, count, coefficient, value);
   else
@@ -178,8 +177,7 @@ void NearMoments::combine(Index row, const Moments& coefficient,
 }
 
 double NearMoments::memory() const {
-  return 8.0 * static_cast<double>(begin_.size() + double_.size()) +
-         4.0 * static_cast<double>(single_.size());
+  return 8.0 * static_cast<double>(double_.size()) + 4.0 * static_cast<double>(single_.size());
 }
 
 }  // namespace floe::bem

@@ -12,8 +12,8 @@
 namespace floe::bem {
 
 /// What the near matrix needs of the singular part of G, once for all frequencies (F.23): for each
-/// close entry of the pattern and each of the four functions, exact integrals over the close
-/// elements minus what their source points give for it. Coincident points are left out.
+/// entry of the pattern and each of the four functions, exact integrals over the near elements
+/// minus what their source points give for it. Coincident points are left out.
 class NearMoments {
  public:
   /// In parallel, same bits for any number of threads; equal pairs are integrated once. Values are
@@ -22,16 +22,16 @@ class NearMoments {
   NearMoments(const NearPattern& pattern, const ElementIntegrals& integrals, const SourceRule& rule,
               double tolerance, double max_wavenumber, bool in_float);
 
-  /// value[k] = Σ_f coefficient[f] · moment f of close entry k of a row.
+  /// value[k] = Σ_f coefficient[f] · moment f of entry k of a row.
   void combine(Index row, const std::array<double, SingularFunctions::kCount>& coefficient,
-               std::vector<Complex>& value) const;
+               std::vector<double>& value) const;
 
   double memory() const;  ///< [byte]
 
  private:
-  int functions_;                   // kept, 2 to 4
-  std::vector<std::size_t> begin_;  // first close entry of a row
-  std::vector<float> single_;       // functions_ an entry; one of the two is empty
+  const NearPattern& pattern_;  // view
+  int functions_;               // kept, 2 to 4
+  std::vector<float> single_;   // functions_ an entry; one of the two is empty
   std::vector<double> double_;
 };
 

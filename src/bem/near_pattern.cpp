@@ -37,15 +37,6 @@ std::vector<std::vector<std::int32_t>> elements_within(const mesh::Q8Mesh& mesh,
   return near;
 }
 
-// Elements that own each source point
-std::vector<std::vector<std::int32_t>> owners_of_nodes(const mesh::Q8Mesh& mesh) {
-  std::vector<std::vector<std::int32_t>> owners(mesh.node_count());
-  for (Index e = 0; e < mesh.element_count(); ++e)
-    for (int m = 0; m < 8; ++m)
-      owners[mesh.elements()(m, e)].push_back(static_cast<std::int32_t>(e));
-  return owners;
-}
-
 void sort_unique(std::vector<std::int32_t>& values) {
   std::sort(values.begin(), values.end());
   values.erase(std::unique(values.begin(), values.end()), values.end());
@@ -53,52 +44,23 @@ void sort_unique(std::vector<std::int32_t>& values) {
 
 }  // namespace
 
-NearPattern::NearPattern(const mesh::Q8Mesh& mesh, const SourceRule& rule, double radius,
-                         const NearSources& near_sources) {
-  find_pairs(mesh, rule, radius, near_sources);
+NearPattern::NearPattern(const mesh::Q8Mesh& mesh, double radius) {
+  find_pairs(mesh, radius);
   number_kinds(mesh);
   number_entries(mesh);
 }
 
-void NearPattern::find_pairs(const mesh::Q8Mesh& mesh, const SourceRule& rule, double radius,
-                             const NearSources& near_sources) {
+void NearPattern::find_pairs(const mesh::Q8Mesh& mesh, double radius) {
   const Index count = mesh.node_count();
   std::vector<mesh::Box> boxes;
   for (Index i = 0; i < count; ++i) boxes.push_back(mesh::box_around(mesh.nodes().col(i), 0.0));
   const mesh::BoxTree tree(boxes);
   target_.assign(tree.order().begin(), tree.order().end());
 
-  // Take what is close, then what is near for the engine besides
-  std::vector<std::vector<std::int32_t>> near = elements_within(mesh, tree, radius);
-  std::vector<std::int32_t> close(count);
-  for (Index i = 0; i < count; ++i) close[i] = static_cast<std::int32_t>(near[i].size());
-  const auto owners =
-      rule.at_nodes() ? owners_of_nodes(mesh) : std::vector<std::vector<std::int32_t>>();
-#pragma omp parallel
-  {
-    std::vector<Index> found_for(mesh.element_count(), -1);
-#pragma omp for schedule(dynamic, 64)
-    for (Index i = 0; i < count; ++i) {
-      for (const std::int32_t element : near[i]) found_for[element] = i;
-      const auto add = [&](std::int32_t element) {
-        if (std::exchange(found_for[element], i) != i) near[i].push_back(element);
-      };
-      for (const Index source : near_sources(i)) {
-        if (rule.at_nodes())
-          for (const std::int32_t element : owners[source]) add(element);
-        else
-          add(static_cast<std::int32_t>(source / rule.points_per_element()));
-      }
-      std::sort(near[i].begin(), near[i].begin() + close[i]);
-      std::sort(near[i].begin() + close[i], near[i].end());
-    }
-  }
-
+  const std::vector<std::vector<std::int32_t>> near = elements_within(mesh, tree, radius);
   pair_begin_.assign(count + 1, 0);
   for (Index row = 0; row < count; ++row)
     pair_begin_[row + 1] = pair_begin_[row] + near[target_[row]].size();
-  close_pairs_.resize(count);
-  for (Index row = 0; row < count; ++row) close_pairs_[row] = close[target_[row]];
   pair_element_.reserve(pair_begin_.back());
   for (Index row = 0; row < count; ++row)
     pair_element_.insert(pair_element_.end(), near[target_[row]].begin(), near[target_[row]].end());
@@ -111,7 +73,7 @@ void NearPattern::number_kinds(const mesh::Q8Mesh& mesh) {
   pair_kind_.resize(pair_element_.size());
   std::unordered_map<PairKey, std::int32_t, PairKeyHash> known;
   for (Index row = 0; row < rows(); ++row)
-    for (std::size_t k = pair_begin_[row]; k < pair_begin_[row] + close_pairs_[row]; ++k) {
+    for (std::size_t k = pair_begin_[row]; k < pair_begin_[row + 1]; ++k) {
       const auto next = static_cast<std::int32_t>(kinds_.size());
       pair_kind_[k] =
           known.try_emplace(classes.key(target_[row], pair_element_[k]), next).first->second;
@@ -120,29 +82,14 @@ void NearPattern::number_kinds(const mesh::Q8Mesh& mesh) {
 }
 
 void NearPattern::number_entries(const mesh::Q8Mesh& mesh) {
-  // Collect the columns of each row, those of close elements first, then of each block
+  // Collect the columns of each row, then of each block
   std::vector<std::vector<std::int32_t>> row_columns(rows());
-  close_entries_.resize(rows());
-#pragma omp parallel
-  {
-    std::vector<Index> found_for(mesh.node_count(), -1);
-#pragma omp for schedule(dynamic, 64)
-    for (Index row = 0; row < rows(); ++row) {
-      std::vector<std::int32_t>& columns = row_columns[row];
-      const auto add = [&](std::span<const std::int32_t> elements) {
-        const std::size_t before = columns.size();
-        for (const std::int32_t element : elements)
-          for (int m = 0; m < 8; ++m) {
-            const Index node = mesh.elements()(m, element);
-            if (std::exchange(found_for[node], row) != row)
-              columns.push_back(static_cast<std::int32_t>(node));
-          }
-        std::sort(columns.begin() + static_cast<std::ptrdiff_t>(before), columns.end());
-      };
-      add(close_elements(row));
-      close_entries_[row] = static_cast<std::int32_t>(columns.size());
-      add(near_elements(row).subspan(close_pairs_[row]));
-    }
+#pragma omp parallel for schedule(dynamic, 64)
+  for (Index row = 0; row < rows(); ++row) {
+    for (const std::int32_t element : near_elements(row))
+      for (int m = 0; m < 8; ++m)
+        row_columns[row].push_back(static_cast<std::int32_t>(mesh.elements()(m, element)));
+    sort_unique(row_columns[row]);
   }
   entry_begin_.assign(rows() + 1, 0);
   for (Index row = 0; row < rows(); ++row)
@@ -158,8 +105,8 @@ void NearPattern::number_entries(const mesh::Q8Mesh& mesh) {
     sort_unique(columns);
     FLOE_VALIDATE_AS(BudgetError, columns.size() <= 65536,
                      "invalid near field = " << columns.size()
-                                             << " nodes near one place (must be at most 65536; "
-                                                "method = fmm refines where nodes are dense)");
+                                             << " nodes near one place (must be at most 65536; let "
+                                                "elements grow less from one to the next)");
     for (Index row = first; row < last; ++row)
       for (std::size_t k = 0; k < row_columns[row].size(); ++k)
         entry_column_[entry_begin_[row] + k] = static_cast<std::uint16_t>(
@@ -179,9 +126,8 @@ void NearPattern::place_entries(Index block, Index row,
 }
 
 double NearPattern::memory() const {
-  return 4.0 * static_cast<double>(close_pairs_.size() + close_entries_.size() + target_.size() +
-                                   pair_element_.size() + pair_kind_.size() + columns_.size() +
-                                   2 * kinds_.size()) +
+  return 4.0 * static_cast<double>(target_.size() + pair_element_.size() + pair_kind_.size() +
+                                   columns_.size() + 2 * kinds_.size()) +
          8.0 *
              static_cast<double>(pair_begin_.size() + entry_begin_.size() + column_begin_.size()) +
          2.0 * static_cast<double>(entry_column_.size());

@@ -1,32 +1,25 @@
 #pragma once
 
-#include "bem/source_rule.hpp"
-
 #include <floe/mesh/q8_mesh.hpp>
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
 namespace floe::bem {
 
 /// Which (target node, element) pairs are near, and where their integrals go in the near matrix C
-/// of (F.2). Close is an element whose centre is nearer than `radius` of its longest edges: it is
-/// integrated exactly. Near is a close one, and one of which a source point is near for the engine:
-/// C holds whole elements. Frequency-independent.
+/// of (F.2). Near is an element whose centre is nearer than `radius` of its longest edges: it is
+/// integrated exactly. Frequency-independent.
 ///
 /// Rows are targets along a Z-curve, in blocks of kBlockRows; the columns of a block are collected
-/// once, and its entries have 16-bit numbers into that list. Of a row's entries, those of close
-/// elements come first.
+/// once, and its entries have 16-bit numbers into that list.
 class NearPattern {
  public:
   static constexpr Index kBlockRows = 16;
-  using NearSources = std::function<std::vector<Index>(Index target)>;
 
   /// Throws BudgetError when a block of rows has more than 65536 columns.
-  NearPattern(const mesh::Q8Mesh& mesh, const SourceRule& rule, double radius,
-              const NearSources& near_sources);
+  NearPattern(const mesh::Q8Mesh& mesh, double radius);
 
   Index rows() const { return static_cast<Index>(target_.size()); }
   Index blocks() const { return (rows() + kBlockRows - 1) / kBlockRows; }
@@ -45,22 +38,15 @@ class NearPattern {
   /// entry_of_node[n] = number of node n's entry in the row, from 0, for the nodes that it has.
   void place_entries(Index block, Index row, std::vector<std::int32_t>& entry_of_node) const;
 
-  /// Entries of a row that close elements have.
-  Index close_entries(Index row) const { return close_entries_[row]; }
-
-  /// Near elements of a row: the close ones first.
   std::span<const std::int32_t> near_elements(Index row) const {
     return {pair_element_.data() + pair_begin_[row], pair_begin_[row + 1] - pair_begin_[row]};
   }
-  std::span<const std::int32_t> close_elements(Index row) const {
-    return near_elements(row).first(close_pairs_[row]);
-  }
 
-  /// For each close element the number of its equal pair: pairs with the same number have the same
+  /// For each near element the number of its equal pair: pairs with the same number have the same
   /// integrals. Empty where `kinds()` is.
-  std::span<const std::int32_t> close_kinds(Index row) const {
+  std::span<const std::int32_t> near_kinds(Index row) const {
     if (kinds_.empty()) return {};
-    return {pair_kind_.data() + pair_begin_[row], static_cast<std::size_t>(close_pairs_[row])};
+    return {pair_kind_.data() + pair_begin_[row], pair_begin_[row + 1] - pair_begin_[row]};
   }
 
   /// One pair (node, element) of each kind; empty where hardly two pairs are equal.
@@ -72,14 +58,13 @@ class NearPattern {
   double memory() const;  ///< [byte]
 
  private:
-  void find_pairs(const mesh::Q8Mesh& mesh, const SourceRule& rule, double radius,
-                  const NearSources& near_sources);
+  void find_pairs(const mesh::Q8Mesh& mesh, double radius);
   void number_kinds(const mesh::Q8Mesh& mesh);
   void number_entries(const mesh::Q8Mesh& mesh);
 
   std::vector<std::int32_t> target_;
   std::vector<std::size_t> pair_begin_, entry_begin_, column_begin_;
-  std::vector<std::int32_t> pair_element_, pair_kind_, columns_, close_pairs_, close_entries_;
+  std::vector<std::int32_t> pair_element_, pair_kind_, columns_;
   std::vector<std::uint16_t> entry_column_;
   std::vector<Pair> kinds_;
 };

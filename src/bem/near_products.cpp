@@ -23,20 +23,16 @@ FLOE_INLINE void sum_row(const Real* value, const std::uint16_t* column, std::si
   std::size_t k = 0;
   for (; k + kLanes <= count; k += kLanes)
     for (int lane = 0; lane < kLanes; ++lane) {
-      const double a = value[2 * (k + lane)], b = value[2 * (k + lane) + 1];
+      const double a = value[k + lane];
       const double* x = gathered + 2 * column[k + lane];
       re[lane] += a * x[0];
-      re[lane] -= b * x[1];
       im[lane] += a * x[1];
-      im[lane] += b * x[0];
     }
   for (int lane = 0; k < count; ++k, ++lane) {
-    const double a = value[2 * k], b = value[2 * k + 1];
+    const double a = value[k];
     const double* x = gathered + 2 * column[k];
     re[lane] += a * x[0];
-    re[lane] -= b * x[1];
     im[lane] += a * x[1];
-    im[lane] += b * x[0];
   }
   sum[0] = (re[0] + re[1]) + (re[2] + re[3]);
   sum[1] = (im[0] + im[1]) + (im[2] + im[3]);
@@ -57,14 +53,10 @@ FLOE_INLINE void sum_row_of_many(const Real* value, const std::uint16_t* column,
   using V = Vector<kColumns>;
   V re[kLanes] = {}, im[kLanes] = {};
   const auto add = [&](std::size_t k, int lane) __attribute__((always_inline)) {
-    const double a = value[2 * k], b = value[2 * k + 1];
+    const double a = value[k];
     const double* const at = gathered + 2 * kNearColumns * column[k];
-    const V x_re = *reinterpret_cast<const V*>(at);
-    const V x_im = *reinterpret_cast<const V*>(at + kNearColumns);
-    re[lane] += a * x_re;
-    re[lane] -= b * x_im;
-    im[lane] += a * x_im;
-    im[lane] += b * x_re;
+    re[lane] += a * *reinterpret_cast<const V*>(at);
+    im[lane] += a * *reinterpret_cast<const V*>(at + kNearColumns);
   };
   std::size_t k = 0;
   for (; k + kLanes <= count; k += kLanes)
@@ -84,7 +76,7 @@ FLOE_INLINE void sum_rows(const NearPattern& pattern, Index first, Index last, c
     const std::size_t begin = pattern.entry_begin(row);
     const std::size_t count = pattern.entry_begin(row + 1) - begin;
     double* const sum = sums + 2 * columns * (row - first);
-    const Real* const values = value + 2 * begin;
+    const Real* const values = value + begin;
     const std::uint16_t* const entries = pattern.entry_column() + begin;
     if (columns == 1) {
       sum_row(values, entries, count, gathered, sum);

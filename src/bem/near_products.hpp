@@ -10,8 +10,8 @@ namespace floe::bem {
 inline constexpr Index kNearColumns = 8;
 
 /// y(target of each row of the block) += scale · C x for kNearColumns columns or one. `value` holds
-/// re, im of all entries of the pattern; `gathered` is scratch. A column has the same bits alone
-/// and among others.
+/// all entries of the pattern; `gathered` is scratch. A column has the same bits alone and among
+/// others.
 template <class Real>
 void add_near_block(const NearPattern& pattern, Index block, const Real* value,
                     const Eigen::Ref<const MatXcd>& x, double scale, std::vector<double>& gathered,
