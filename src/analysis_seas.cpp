@@ -188,7 +188,24 @@ SeaMarch state_of(const FluidMarch& march, const ResponseDifference& difference,
   return state;
 }
 
-void tell_results(const SeaStatistics& statistics, const Case& data, Log& log, Store& store) {
+void warn_of_accuracy(const SeaGridReport& grid, const Case& data, Log& log) {
+  constexpr double kPressureTold = 0.1;
+  if (grid.interpolation_error > data.sea_grid.tolerance)
+    log.warning(
+        fmt::format("seas: between solved frequencies the response is known to {:.2g} of its "
+                    "largest value (sea_grid.tolerance = {:g}): it has narrower peaks than a case "
+                    "of this size should (hold spectra near a peak against regular waves there)",
+                    grid.interpolation_error, data.sea_grid.tolerance));
+  if (grid.pressure_error > kPressureTold)
+    log.warning(
+        fmt::format("seas: pressures at the points are known to {:.2g} of the largest at the "
+                    "highest frequencies (refine the mesh)",
+                    grid.pressure_error));
+}
+
+void tell_results(const SeaStatistics& statistics, const SeaGridReport& grid, const Case& data,
+                  Log& log, Store& store) {
+  warn_of_accuracy(grid, data, log);
   for (const SeaResult& result : statistics.results()) {
     store.sea(result);
     for (const std::string& warning : cut_responses(result, data)) log.warning(warning);
@@ -265,7 +282,7 @@ void solve_seas(const Case& data, const SeaBand& band, const PlateModel& plate,
   grid.interpolation_error = march.largest_error();
   grid.solved_frequencies = march.solved();
   grid.pressure_error = waves.pressure_error();
-  tell_results(statistics, data, log, store);
+  tell_results(statistics, grid, data, log, store);
   store.end_seas(grid);
 }
 
@@ -278,7 +295,7 @@ void repeat_seas(const Case& data, const SeaGridReport& grid, Log& log, Store& s
     store.sea_transfer(transfer);
     statistics.add(transfer, sink_of(data, i, store));
   }
-  tell_results(statistics, data, log, store);
+  tell_results(statistics, grid, data, log, store);
   store.end_seas(grid);
 }
 

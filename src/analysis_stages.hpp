@@ -13,6 +13,7 @@
 #include <floe/plate/mindlin.hpp>
 #include <floe/plate/static_correction.hpp>
 #include <floe/response/modal_basis.hpp>
+#include <floe/sea_band.hpp>
 
 #include <chrono>
 #include <memory>
@@ -96,13 +97,6 @@ struct FluidModel {
   double reach = 0.0;           ///< largest distance that the Green function is asked for [m]
 };
 
-/// Frequencies over which the seas are integrated [rad/s]; empty where none are asked for.
-struct SeaBand {
-  double from = 0.0;
-  double to = 0.0;
-  bool asked() const { return to > from; }
-};
-
 /// What the run will take.
 Estimate plan_of(const Case& data, const Meshes& meshes);
 Meshes prepare_meshes(const Case& data, Log& log);
@@ -141,10 +135,6 @@ void add_pressures(const Case& data, const FluidModel& fluid, const MatXcd& pres
 void add_wave_elevation(const Case& data, const FluidModel& fluid, const green::GreenTable& green,
                         const MatXcd& pressure, FrequencyResult& result);
 
-/// Chooses the band and holds it against every sea: warns where more than 1 % of m0 lie outside,
-/// throws DataError for more than 5 % unless the sea allows it. Zones are held against the plate:
-/// a warning where they change within a wavelength, DataError where they leave a part of it out.
-SeaBand prepare_seas(const Case& data, const Meshes& meshes, Log& log);
 void solve_seas(const Case& data, const SeaBand& band, const PlateModel& plate,
                 const FluidModel& fluid, StageClock& clock, WorkShare& work, Log& log,
                 Store& store);

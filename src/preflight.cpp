@@ -1,3 +1,4 @@
+#include <floe/bem/element_lattice.hpp>
 #include <floe/hydro/flexural_gravity.hpp>
 #include <floe/mesh/point_locator.hpp>
 #include <floe/numeric/error.hpp>
@@ -101,18 +102,17 @@ void warn_about_waves(const std::vector<Resolution>& resolution, double size,
 
 // A plate has about area·k²/4π elastic modes below the wavenumber k of its waves; a converged
 // answer takes about four times as many
-void warn_about_modes(const Case& data, const mesh::Q8Mesh& mesh, double shortest,
-                      std::vector<std::string>& warnings) {
+std::string tell_few_modes(const Case& data, const mesh::Q8Mesh& mesh, double shortest) {
   constexpr double kTimesBelow = 4.0;
-  if (data.route == SolverRoute::kDirect) return;
+  if (data.route == SolverRoute::kDirect) return "";
   const double k = 2.0 * std::numbers::pi / shortest;
   const double below = mesh.area() * k * k / (4.0 * std::numbers::pi);
   const double wanted = 3.0 * static_cast<double>(mesh.piece_count()) + kTimesBelow * below;
-  if (static_cast<double>(data.mode_count) >= wanted) return;
-  warnings.push_back(fmt::format(
+  if (static_cast<double>(data.mode_count) >= wanted || below < 0.5) return "";
+  return fmt::format(
       "few modes: modes.count = {}, about {:.0f} elastic modes are longer than the shortest wave "
       "along the plate, {:.3g} m (modes.count = {:.0f} is good, or solver.route = \"direct\")",
-      data.mode_count, below, shortest, std::ceil(wanted)));
+      data.mode_count, below, shortest, std::ceil(wanted));
 }
 
 // The points and the stations of the lines lie on the mesh
@@ -195,7 +195,8 @@ Preflight preflight(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Me
   warn_about_waves(found.resolution, mesh.size(), found.warnings);
   double shortest = std::numeric_limits<double>::infinity();
   for (const Resolution& r : found.resolution) shortest = std::min(shortest, r.flexural_wavelength);
-  warn_about_modes(data, mesh, shortest, found.warnings);
+  found.few_modes = tell_few_modes(data, mesh, shortest);
+  if (!found.few_modes.empty()) found.warnings.push_back(found.few_modes);
   return found;
 }
 
@@ -224,6 +225,7 @@ void require_fit(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Mesh*
   }
   require_modes(data, plate_mesh ? *plate_mesh : mesh);
   require_structure(data, plate_mesh ? *plate_mesh : mesh);
+  if (data.method == SolverMethod::kLattice) bem::require_element_lattice(mesh);
 }
 
 }  // namespace floe

@@ -4,6 +4,7 @@
 #include <floe/long_term_statistics.hpp>
 #include <floe/numeric/error.hpp>
 #include <floe/preflight.hpp>
+#include <floe/sea_band.hpp>
 #include <floe/sea_statistics.hpp>
 
 #include <fmt/format.h>
@@ -18,6 +19,7 @@ namespace {
 constexpr double kShareBelow = 1e-3;
 constexpr double kShareAbove = 5e-3;
 constexpr double kShareRefused = 0.05;
+constexpr double kShareOfModes = 0.9;       // of m0: the modes should do up to there
 constexpr double kShareThatMatters = 0.01;  // of the largest at any point: a free edge has none
 constexpr double kShareAtEnd = 0.25;        // of a response's largest spectral value
 constexpr double kHighest = 50.0;           // [rad/s]
@@ -32,21 +34,62 @@ double quantile(const wave::SeaState& sea, double wanted) {
   return 0.5 * (low + high);
 }
 
+// What the mesh gives waves of one frequency
+class MeshLook {
+ public:
+  MeshLook(const Case& data, const mesh::Q8Mesh& fluid, const mesh::Q8Mesh* plate_mesh,
+           const plate::PlateRegions& regions)
+      : data_(data), fluid_(fluid), plate_mesh_(plate_mesh), regions_(regions) {}
+
+  Preflight at(double omega) {
+    data_.omega = {omega};
+    return preflight(data_, fluid_, plate_mesh_, &regions_);
+  }
+  double nodes(double omega) { return at(omega).resolution.front().least_nodes(); }
+
+ private:
+  Case data_;
+  const mesh::Q8Mesh& fluid_;
+  const mesh::Q8Mesh* plate_mesh_;
+  const plate::PlateRegions& regions_;
+};
+
 // The highest frequency that the meshes resolve with the nodes wanted a wavelength
-double resolved_frequency(Case data, const Meshes& meshes) {
-  const auto resolves = [&](double omega) {
-    data.omega = {omega};
-    const Preflight found = preflight(
-        data, meshes.fluid, meshes.own_plate ? &*meshes.own_plate : nullptr, &meshes.regions);
-    return found.resolution.front().least_nodes() >= kNodesWanted;
-  };
+double resolved_frequency(MeshLook& look) {
   double low = 1e-3, high = kHighest;
-  if (resolves(high)) return high;
+  if (look.nodes(high) >= kNodesWanted) return high;
   for (int i = 0; i < 30; ++i) {
     const double middle = 0.5 * (low + high);
-    (resolves(middle) ? low : high) = middle;
+    (look.nodes(middle) >= kNodesWanted ? low : high) = middle;
   }
   return low;
+}
+
+// A band of the case's own ends where the mesh still has nodes enough
+void require_resolved(const Case& data, double to, MeshLook& look, Log& log) {
+  const double nodes = look.nodes(to);
+  FLOE_VALIDATE(nodes >= kNodesRequired || (data.allow_coarse && nodes >= kNodesAtLeast),
+                "invalid sea_grid.omega = up to "
+                    << to << " rad/s, where the mesh has " << fmt::format("{:.2g}", nodes)
+                    << " nodes per wavelength (must be at least " << kNodesRequired
+                    << "; end lower, refine the mesh or give --allow-coarse)");
+  if (nodes < kNodesWanted)
+    log.warning(
+        fmt::format("coarse mesh: {:.2g} nodes per wavelength at {:.4g} rad/s, where "
+                    "sea_grid.omega ends ({} or more are good)",
+                    nodes, to, kNodesWanted));
+}
+
+// Where most of the seas' energy lies, the modes should do
+void warn_about_few_modes(const Case& data, double to, MeshLook& look, Log& log) {
+  double omega = 0.0;
+  for (const wave::SeaState& sea : data.seas)
+    omega = std::max(omega, std::min(to, quantile(sea, kShareOfModes)));
+  const bool told =
+      !data.omega.empty() && omega <= *std::max_element(data.omega.begin(), data.omega.end());
+  if (omega == 0.0 || told) return;
+  const std::string few = look.at(omega).few_modes;
+  if (!few.empty()) log.warning(fmt::format("seas up to {:.3g} rad/s: {}", omega, few));
 }
 
 // What a share of a sea's energy outside the band means: nothing, a warning or an error
@@ -119,17 +162,23 @@ std::vector<std::string> cut_responses(const SeaResult& result, const Case& data
   return warnings;
 }
 
-SeaBand prepare_seas(const Case& data, const Meshes& meshes, Log& log) {
+SeaBand prepare_seas(const Case& data, const mesh::Q8Mesh& fluid, const mesh::Q8Mesh* plate_mesh,
+                     const plate::PlateRegions& regions, Log& log) {
   if (data.seas.empty() && !(data.sea_grid.from && data.sea_grid.to)) return {};
-  check_zones(data, meshes.fluid, log);
+  check_zones(data, fluid, log);
+  MeshLook look(data, fluid, plate_mesh, regions);
   SeaBand band{std::numeric_limits<double>::infinity(), 0.0};
   for (const wave::SeaState& sea : data.seas) {
     band.from = std::min(band.from, quantile(sea, kShareBelow));
     band.to = std::max(band.to, quantile(sea, 1.0 - kShareAbove));
   }
-  band.to = std::min(band.to, resolved_frequency(data, meshes));
   if (data.sea_grid.from) band.from = *data.sea_grid.from;
-  if (data.sea_grid.to) band.to = *data.sea_grid.to;
+  if (data.sea_grid.to) {
+    band.to = *data.sea_grid.to;
+    require_resolved(data, band.to, look, log);
+  } else {
+    band.to = std::min(band.to, resolved_frequency(look));
+  }
   if (!(band.to > band.from))
     throw DataError(
         fmt::format("the mesh resolves waves up to {:.3g} rad/s, below the seas' own "
@@ -137,6 +186,7 @@ SeaBand prepare_seas(const Case& data, const Meshes& meshes, Log& log) {
                     band.to, band.from));
   for (const wave::SeaState& sea : data.seas)
     require_band(sea, band.from, band.to, "widen sea_grid.omega, refine the mesh", log);
+  warn_about_few_modes(data, band.to, look, log);
   return band;
 }
 

@@ -35,6 +35,7 @@ struct Preflight {
   mesh::MeshQuality quality;
   std::vector<Resolution> resolution;  ///< one a frequency of the case
   std::vector<std::string> warnings;
+  std::string few_modes;  ///< that one of the warnings; empty where there are enough
 };
 
 /// Looks at the mesh (and the plate's own mesh, if it has one) against all waves of the case; in
@@ -52,7 +53,8 @@ void require_resolution(const Case& data, const Preflight& found);
 
 /// Throws what a run would throw later on. InputError: a point or a station of a line lies on no
 /// plate (the first is named), or there are fewer modes than three a plate or more than half the
-/// unknowns. MeshError: the plate's own mesh leaves out a node of the fluid's.
+/// unknowns. MeshError: the plate's own mesh leaves out a node of the fluid's, or the case wants
+/// the lattice's method and the mesh is none.
 void require_fit(const Case& data, const mesh::Q8Mesh& mesh,
                  const mesh::Q8Mesh* plate_mesh = nullptr);
 

@@ -93,16 +93,19 @@ py::list report_list(const Frequencies& frequencies) {
   return list;
 }
 
-py::list check_list(const RunResults& results) {
-  py::list list;
-  if (results.frequencies.empty() || !results.fluid_mesh) return list;
+std::vector<SelfCheck> checks_of(const RunResults& results) {
+  if (results.frequencies.empty() || !results.fluid_mesh) return {};
   std::vector<FrequencyReport> reports;
   for (const FrequencyResult& result : results.frequencies) reports.push_back(result.report);
   const plate::PlateRegions regions = plate_regions(results.data);
   const Preflight found = preflight(results.data, *results.fluid_mesh, nullptr,
                                     results.data.plate_mesh.empty() ? &regions : nullptr);
-  for (const SelfCheck& check :
-       self_checks(results.data, found.resolution, results.modes, reports)) {
+  return self_checks(results.data, found.resolution, results.modes, reports);
+}
+
+py::list check_list(const std::vector<SelfCheck>& checks) {
+  py::list list;
+  for (const SelfCheck& check : checks) {
     list.append(py::dict(py::arg("name") = check.name, py::arg("value") = check.value,
                          py::arg("limit") = check.limit, py::arg("omega") = check.omega,
                          py::arg("status") = status_name(check.status),
@@ -211,9 +214,12 @@ py::dict dictionary_of(const RunResults& results) {
   all["fields"] = field_list(waves);
   all["seas"] = sea_list(results.data, results.seas);
   all["reports"] = report_list(waves);
-  all["checks"] = check_list(results);
+  const std::vector<SelfCheck> checks = checks_of(results);
+  std::vector<std::string> warnings = results.warnings;
+  for (const std::string& warning : warnings_of(checks)) warnings.push_back(warning);
+  all["checks"] = check_list(checks);
   all["notices"] = results.notices;
-  all["warnings"] = results.warnings;
+  all["warnings"] = warnings;
   return all;
 }
 

@@ -1,6 +1,8 @@
 #include <floe/bem/element_lattice.hpp>
+#include <floe/numeric/error.hpp>
 
 #include <cmath>
+#include <utility>
 
 namespace floe::bem {
 namespace {
@@ -54,6 +56,15 @@ std::optional<ElementLattice> find_element_lattice(const mesh::Q8Mesh& mesh) {
     }
   }
   return lattice;
+}
+
+ElementLattice require_element_lattice(const mesh::Q8Mesh& mesh) {
+  auto lattice = find_element_lattice(mesh);
+  FLOE_VALIDATE_AS(
+      MeshError, lattice.has_value(),
+      "method = lattice on this mesh (must have equal rectangular elements, parallel to "
+      "the axes, on one lattice)");
+  return std::move(*lattice);
 }
 
 }  // namespace floe::bem

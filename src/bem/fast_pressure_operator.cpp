@@ -20,7 +20,7 @@ namespace {
 
 constexpr Index kColumns = 8;              // that go through the sum together
 constexpr double kFloatTolerance = 3e-7;   // from here on near values are stored in float
-constexpr Index kLeafPoints[] = {20, 36};  // of a multipole leaf, sources at nodes or not
+constexpr Index kLeafPoints[] = {18, 36};  // of a multipole leaf, sources at nodes or not
 
 const FastOptions& validated(const FastOptions& options) {
   const double least = options.engine == SumEngine::kMultipole ? 1e-9 : 1e-7;

@@ -17,15 +17,6 @@
 namespace floe::bem {
 namespace {
 
-ElementLattice require_lattice(const mesh::Q8Mesh& mesh) {
-  auto lattice = find_element_lattice(mesh);
-  FLOE_VALIDATE_AS(
-      MeshError, lattice.has_value(),
-      "method = lattice on this mesh (must have equal rectangular elements, parallel to "
-      "the axes, on one lattice)");
-  return std::move(*lattice);
-}
-
 // One cell, its nodes numbered by ElementLattice::Local
 mesh::Q8Mesh cell_mesh(const ElementLattice& lattice) {
   const mesh::Q8Mesh cell =
@@ -157,7 +148,7 @@ void apply_column(const LatticePlan& plan, const LatticeTables& tables, const Co
 }  // namespace
 
 LatticePlan::LatticePlan(const mesh::Q8Mesh& mesh, const IntegralOptions& options)
-    : LatticePlan(mesh, options, require_lattice(mesh)) {}
+    : LatticePlan(mesh, options, require_element_lattice(mesh)) {}
 
 // The grid reaches one step beyond the cells, as the kernels do
 LatticePlan::LatticePlan(const mesh::Q8Mesh& mesh, const IntegralOptions& options,

@@ -16,7 +16,7 @@ namespace floe::bem {
 /// once, and its entries have 16-bit numbers into that list.
 class NearPattern {
  public:
-  static constexpr Index kBlockRows = 16;
+  static constexpr Index kBlockRows = 32;
 
   /// Throws BudgetError when a block of rows has more than 65536 columns.
   NearPattern(const mesh::Q8Mesh& mesh, double radius);

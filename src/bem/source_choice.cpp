@@ -21,7 +21,7 @@ constexpr Candidate kCandidates[] = {
     {SourcePoints::kNodes, 3.0, 1.8e-4, 1e-3, 3},  {SourcePoints::kGauss3, 2.0, 1.3e-5, 7e-5, 4},
     {SourcePoints::kGauss3, 2.5, 7e-6, 7e-5, 4},   {SourcePoints::kGauss3, 3.0, 3e-6, 7e-5, 4},
     {SourcePoints::kGauss4, 2.0, 4e-8, 1.5e-7, 6}, {SourcePoints::kGauss4, 2.5, 2e-8, 1.5e-7, 6},
-    {SourcePoints::kGauss5, 2.0, 1e-9, 3e-10, 8},
+    {SourcePoints::kGauss5, 2.0, 1e-9, 3e-10, 8},  {SourcePoints::kGauss6, 2.0, 1e-9, 1e-12, 10},
 };
 
 }  // namespace
@@ -42,7 +42,8 @@ SourceChoice choose_sources(const mesh::Q8Mesh& mesh, double tolerance, double m
   FLOE_VALIDATE(found != std::end(kCandidates),
                 "invalid wavenumber = " << max_wavenumber << " rad/m with elements of " << edge
                                         << " m (must be smaller for a tolerance of " << tolerance
-                                        << "; refine the mesh)");
+                                        << "; refine the mesh, give a larger solver.tolerance, or "
+                                           "solver.method = \"dense\" if it fits)");
   return {found->points, found->near_radius};
 }
 

@@ -11,7 +11,10 @@ namespace floe::bem {
 namespace {
 
 int gauss_order(SourcePoints kind) {
-  return kind == SourcePoints::kGauss3 ? 3 : kind == SourcePoints::kGauss4 ? 4 : 5;
+  return kind == SourcePoints::kGauss3   ? 3
+         : kind == SourcePoints::kGauss4 ? 4
+         : kind == SourcePoints::kGauss5 ? 5
+                                         : 6;
 }
 
 // Charges of one element at its Gauss points

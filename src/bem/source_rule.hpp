@@ -17,6 +17,7 @@ enum class SourcePoints {
   kGauss3,
   kGauss4,
   kGauss5,
+  kGauss6,
 };
 
 /// Source points of a mesh and the charges there. Immutable, frequency-independent.

@@ -3,6 +3,9 @@
 #include <floe/numeric/error.hpp>
 
 #include <dlfcn.h>
+#include <omp.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
 
 #include <cmath>
 #include <utility>
@@ -24,6 +27,7 @@ namespace {
 constexpr int kRows = 67, kInner = 131, kColumns = 43;
 // Sums of 131 products of numbers below 1
 constexpr double kLimit = 1e-12;
+constexpr std::size_t kBufferSize = 160'000'000;  // of a thread: 128 MiB and its stack
 
 // Numbers between -1 and 1 that repeat nowhere
 template <typename Matrix>
@@ -93,7 +97,26 @@ std::string blas_name() {
   return name;
 }
 
+namespace {
+
+// OpenBLAS maps a buffer for each thread that multiplies, and asks for ever where it may not
+void require_buffers(int threads) {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return;
+  const std::size_t size = static_cast<std::size_t>(threads) * kBufferSize;
+  void* const probe = mmap(nullptr, size, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  FLOE_VALIDATE_AS(
+      BudgetError, probe != MAP_FAILED,
+      "invalid address space = " << limit.rlim_cur / 1000000 << " MB (must leave " << size / 1000000
+                                 << " MB for the linear algebra, " << kBufferSize / 1000000
+                                 << " MB a thread; raise `ulimit -v` or take fewer threads)");
+  munmap(probe, size);
+}
+
+}  // namespace
+
 void require_working_blas() {
+  require_buffers(omp_get_max_threads());
   const std::pair<const char*, double> tests[] = {{"real product", error_of_real_product()},
                                                   {"complex product", error_of_complex_product()},
                                                   {"complex solution", error_of_solution()}};

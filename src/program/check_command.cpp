@@ -5,6 +5,7 @@
 #include <floe/estimate.hpp>
 #include <floe/numeric/memory.hpp>
 #include <floe/preflight.hpp>
+#include <floe/sea_band.hpp>
 
 #include <fmt/format.h>
 #include <omp.h>
@@ -114,6 +115,10 @@ void check_case(const RunOptions& options) {
   require_fit(data, fluid.mesh, own);
   require_resolution(data, found);
   require_budget(needed, budget);
+  const SeaBand band = prepare_seas(data, fluid.mesh, own, regions, account);
+  account.show_warnings();
+  if (band.asked())
+    account.fact("seas", fmt::format("frequencies {:.4g} … {:.4g} rad/s", band.from, band.to));
 }
 
 }  // namespace floe::program

@@ -173,34 +173,42 @@ void add_export(CLI::App& app, Choice& choice) {
   command.add_option("directory", options.directory, "results of a run")
       ->required()
       ->type_name("DIR");
-  command
-      .add_option("--format", options.format,
-                  "netcdf (as capytaine's), wamit or paraview: files of that kind only")
-      ->type_name("netcdf|wamit|paraview")
-      ->check(one_of("--format", "netcdf, wamit or paraview", [](const std::string& text) {
-        return text == "netcdf" || text == "wamit" || text == "paraview";
-      }));
+  CLI::Option* format =
+      command
+          .add_option("--format", options.format,
+                      "netcdf (as capytaine's), wamit or paraview: files of that kind only")
+          ->type_name("netcdf|wamit|paraview")
+          ->check(one_of("--format", "netcdf, wamit or paraview", [](const std::string& text) {
+            return text == "netcdf" || text == "wamit" || text == "paraview";
+          }));
   CLI::Option* rigid = command.add_flag("--rigid-only", options.rigid_only,
                                         "surge to yaw of each plate, no elastic modes");
+  rigid->needs(format);
   command
       .add_flag("--all-dofs", options.all_dofs, "surge to yaw of each plate, then elastic modes")
-      ->excludes(rigid);
+      ->excludes(rigid)
+      ->needs(format);
   command
       .add_option("--length", options.length, "length of WAMIT's normalisation [m] (default: 1)")
+      ->needs(format)
       ->type_name("L");
   command
       .add_option("--phases", options.paraview.phases,
                   "paraview: moments of one period (default: 24)")
+      ->needs(format)
       ->type_name("N");
   command
       .add_option("--margin", options.paraview.margin,
                   "paraview: width of the water around the plate [m] (default: 0)")
+      ->needs(format)
       ->type_name("M");
   command
       .add_option("--step", options.paraview.step,
                   "paraview: distance of points of the water [m] (default: no water)")
+      ->needs(format)
       ->type_name("M");
   command.add_option("-o", options.output, "file to write; for wamit without its suffix")
+      ->needs(format)
       ->type_name("FILE");
   command.callback([&choice] { choice.action = [&choice] { export_results(choice.exported); }; });
 }

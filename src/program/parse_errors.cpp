@@ -90,9 +90,11 @@ std::string explain(const CLI::ParseError& error, const CLI::App& app) {
   if (dynamic_cast<const CLI::ConversionError*>(&error)) return explain_conversion(text, command);
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error)) {
     const std::string option = text.substr(0, text.find(':'));
-    return text.find("missing") != std::string::npos
-               ? fmt::format("missing value of {} ({} tells more)", option, help)
-               : fmt::format("{} given more than once ({} tells more)", option, help);
+    const bool too_few = text.find("missing") != std::string::npos ||
+                         text.find("partially") != std::string::npos ||
+                         text.find("At least") != std::string::npos;
+    return too_few ? fmt::format("missing value of {} ({} tells more)", option, help)
+                   : fmt::format("{} given more than once ({} tells more)", option, help);
   }
   return fmt::format("{} ({} tells more)", text, help);
 }

@@ -59,6 +59,9 @@ TEST(Program, RefusesWrongCommandLinesWithTwo) {
       {"run -- case.toml --fresh", "unexpected word --fresh (floe run --help tells"},
       {"run case.toml -o ''", "invalid -o =  (must be the name of a folder)"},
       {"run case.toml --memory", "missing value of --memory (floe run --help tells more)"},
+      {"init new.toml --sea 2", "missing value of --sea (floe init --help tells more)"},
+      {"export some.out -o zzz", "-o requires --format (floe export --help tells more)"},
+      {"export some.out --length 4", "--length requires --format"},
       {"run case.toml --threads 1 --threads 2", "--threads given more than once"},
       {"mesh",
        "missing word after floe mesh (must be one of rectangle, disc, ring, lshape, modules; "},
@@ -172,6 +175,20 @@ TEST(Program, RefusesModesThatTheMeshCannotHave) {
     EXPECT_EQ(result.code, 3);
     EXPECT_THAT(result.error,
                 StartsWith("floe: error: invalid modes.count = 56 (must be 3 to 55 "));
+  }
+  EXPECT_THAT(names_in(folder.path()), ElementsAre("case.toml"));
+}
+
+TEST(Program, RefusesTheLatticeOnAMeshThatIsNone) {
+  const TestFolder folder;
+  folder.write("case.toml",
+               with("rectangle = { length = 300.0, width = 60.0, nx = 4, ny = 2 }",
+                    "ring = { inner_radius = 50, outer_radius = 150, element_size = 40 }") +
+                   "[solver]\nmethod = \"lattice\"\n");
+  for (const char* command : {"run", "check"}) {
+    const ProgramResult result = run_floe(folder, std::string(command) + " case.toml");
+    EXPECT_EQ(result.code, 4);
+    EXPECT_THAT(result.error, StartsWith("floe: error: method = lattice on this mesh (must have "));
   }
   EXPECT_THAT(names_in(folder.path()), ElementsAre("case.toml"));
 }

@@ -48,7 +48,7 @@ TEST(InitCommand, AsksForModesOfEveryPlate) {
                      "--modules-y 1 --gap 2 --element-size 5 -o row.msh")
                 .code,
             0);
-  ASSERT_EQ(run_floe(folder, "init row.toml --mesh row.msh --sea 1 4").code, 0);
+  ASSERT_EQ(run_floe(folder, "init row.toml --mesh row.msh --sea 1 6").code, 0);
   EXPECT_THAT(folder.read("row.toml"), HasSubstr("\n[modes]\ncount = 72 "));
   const ProgramResult check = run_floe(folder, "check row.toml");
   EXPECT_EQ(check.code, 0) << check.error;

@@ -88,6 +88,17 @@ class AWarning(unittest.TestCase):
         self.assertEqual([str(warning.message) for warning in issued], result.warnings)
         self.assertRegex("\n".join(result.warnings), "nodes")
 
+    def test_is_given_for_every_check_that_wants_attention(self):
+        with warnings.catch_warnings(record=True):
+            warnings.simplefilter("always")
+            result = floe.run(case(modes={"count": 6}))
+        attention = [check.name for check in result.checks if check.status != "good"]
+        self.assertTrue(attention)
+        told = "\n".join(result.warnings)
+        for name in attention:
+            if name != "nodes a wavelength":
+                self.assertIn(f"self-check, {name} = ", told)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -28,4 +28,7 @@ struct ElementLattice {
 /// not on one lattice, to 1e-9 of an edge (plus the rounding of the coordinates).
 std::optional<ElementLattice> find_element_lattice(const mesh::Q8Mesh& mesh);
 
+/// The same, or MeshError that says what a lattice is.
+ElementLattice require_element_lattice(const mesh::Q8Mesh& mesh);
+
 }  // namespace floe::bem
