@@ -1,5 +1,6 @@
 #include "io/case_sections.hpp"
 
+#include <floe/io/case_file.hpp>
 #include <floe/numeric/error.hpp>
 
 #include <fmt/format.h>
@@ -119,11 +120,12 @@ void read_solver(const Section& root, Case& data) {
   const auto choose = [&](const std::string& key, const std::string& fallback,
                           const std::vector<std::string>& known) {
     const std::string chosen = solver.text_or(key, fallback);
-    if (std::find(known.begin(), known.end(), chosen) == known.end())
-      solver.source().refuse(solver.find(key)->source(),
-                             fmt::format("invalid {} = {} (must be {})", solver.full_name(key),
-                                         shown(*solver.find(key)), fmt::join(known, " or ")));
-    return chosen;
+    if (std::find(known.begin(), known.end(), chosen) != known.end()) return chosen;
+    const std::string nearest = nearest_name(chosen, known);
+    solver.source().refuse(solver.find(key)->source(),
+                           fmt::format("invalid {} = {} (must be {}{})", solver.full_name(key),
+                                       shown(*solver.find(key)), fmt::join(known, " or "),
+                                       nearest.empty() ? "" : "; did you mean " + nearest + "?"));
   };
   const std::string method = choose("method", "auto", {"auto", "dense", "lattice", "pfft", "fmm"});
   const std::string route = choose("route", "modal", {"modal", "direct"});

@@ -30,10 +30,10 @@ std::string in_words(const Section& sea, const wave::Spectrum& spectrum) {
 }
 
 void read_mean_headings(const Section& sea, wave::SeaState& state) {
-  for (const double heading : sea.numbers("mean_heading_deg", heading_rule()).value) {
-    auto& all = state.mean_heading_deg;
+  auto& all = state.mean_heading_deg;
+  for (const double heading : sea.numbers("mean_heading_deg", heading_rule()).value)
     if (std::find(all.begin(), all.end(), heading) == all.end()) all.push_back(heading);
-  }
+  warn_of_radians(sea, "mean_heading_deg", all);
 }
 
 // The tables under a key of a sea, which then has none of the keys `moved` itself

@@ -45,5 +45,8 @@ double axis_frequency(const std::string& axis, double value, const wave::Water& 
 NumberRule axis_rule(const std::string& axis);
 /// What a heading must be.
 NumberRule heading_rule();
+/// A warning where values under a key in degrees look like radians.
+void warn_of_radians(const Section& section, const std::string& key,
+                     const std::vector<double>& degrees);
 
 }  // namespace floe::io

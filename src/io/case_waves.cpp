@@ -85,10 +85,7 @@ void read_headings(const Section& waves, Case& data) {
   if (duplicates > 0)
     waves.source().notices.push_back(
         fmt::format("waves.heading_deg: {} given twice dropped", duplicates));
-  if (look_like_radians(data.heading_deg))
-    waves.source().warnings.push_back(
-        fmt::format("waves.heading_deg = [{}] look like radians (did you mean degrees?)",
-                    fmt::join(data.heading_deg, ", ")));
+  warn_of_radians(waves, "heading_deg", data.heading_deg);
 }
 
 }  // namespace
@@ -119,6 +116,14 @@ double axis_frequency(const std::string& axis, double value, const wave::Water& 
 
 NumberRule heading_rule() {
   return {"°", "must be -360 to 360", [](double x) { return x >= -360.0 && x <= 360.0; }};
+}
+
+void warn_of_radians(const Section& section, const std::string& key,
+                     const std::vector<double>& degrees) {
+  if (look_like_radians(degrees))
+    section.source().warnings.push_back(
+        fmt::format("{} = [{}] look like radians (did you mean degrees?)", section.full_name(key),
+                    fmt::join(degrees, ", ")));
 }
 
 void read_waves(const Section& root, Case& data) {

@@ -52,7 +52,10 @@ std::string explain_extra_words(const std::vector<std::string>& words, const CLI
                                  [](const std::string& word) { return word.starts_with("-"); });
   if (flag != dashes) {
     const std::string name = flag->substr(0, flag->find('='));
-    return fmt::format("unknown flag {} ({})", name, hint_for(name, names_of_flags(command), help));
+    const std::vector<std::string> flags = names_of_flags(command);
+    if (std::find(flags.begin(), flags.end(), name) != flags.end())
+      return fmt::format("{} before the command (belongs behind it; {} tells more)", name, help);
+    return fmt::format("unknown flag {} ({})", name, hint_for(name, flags, help));
   }
   const std::string& word = dashes == words.begin() && words.size() > 1 ? words[1] : words.front();
   const std::vector<std::string> commands = names_of_commands(command);

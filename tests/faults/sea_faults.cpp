@@ -50,6 +50,8 @@ std::vector<Fault> sea_faults() {
        sea("spreading = \"cos2\"", "spreading = \"cos2s\"\ns = 0")},
       {36, "UnknownSpectrum", 5, "did you mean bretschneider?",
        sea("bretschneider", "bretshneider")},
+      {15, "SeaHeadingInRadians", 0, "sea[0].mean_heading_deg = [1.5708] look like radians",
+       sea("mean_heading_deg = [0]", "mean_heading_deg = [1.5708]")},
       {37, "BandMissesTheSea", 5, "(at most 5 %; widen sea_grid.omega",
        sea("allow_truncation = true\n", ""), run},
       {37, "BandMissesTheSeaInACheck", 5, "(at most 5 %; widen sea_grid.omega",

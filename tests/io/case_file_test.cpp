@@ -279,6 +279,9 @@ TEST(CaseFile, NamesFaultsOfTheOptionalSections) {
       {"[solver]\nmethod = \"magic\"",
        "case.toml:14:10: invalid solver.method = \"magic\" (must be auto or dense or lattice or "
        "pfft or fmm)"},
+      {"[solver]\nmethod = \"ptff\"",
+       "case.toml:14:10: invalid solver.method = \"ptff\" (must be auto or dense or lattice or "
+       "pfft or fmm; did you mean pfft?)"},
       {"[solver]\nroute = \"fast\"",
        "case.toml:14:9: invalid solver.route = \"fast\" (must be modal or direct)"},
       {"[solver]\nroute = \"direct\"\n[sea_grid]\ntolerance = 1e-3",

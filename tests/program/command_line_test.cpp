@@ -54,6 +54,7 @@ TEST(Program, RefusesWrongCommandLinesWithTwo) {
       {"run --freh case.toml", "unknown flag --freh (did you mean --fresh?)"},
       {"run case.toml -threads 3", "unknown flag -threads (did you mean --threads?)"},
       {"check case.toml -o x", "unknown flag -o (known are "},
+      {"--threads 2 run case.toml", "--threads before the command (belongs behind it; "},
       {"run case.toml b.toml", "unexpected word b.toml (floe run --help tells"},
       {"run -x.toml", "unknown flag -x.toml (known are "},
       {"run -- case.toml --fresh", "unexpected word --fresh (floe run --help tells"},
