@@ -13,8 +13,7 @@ void analyse(const Case& data, Log& log, Store& store) {
 
   // Read the meshes and hold them against the waves and the memory
   const Meshes meshes = clock.time("mesh", [&] { return prepare_meshes(data, log); });
-  const mesh::Q8Mesh* const own_plate = meshes.own_plate ? &*meshes.own_plate : nullptr;
-  const SeaBand band = prepare_seas(data, meshes.fluid, own_plate, meshes.regions, log);
+  const SeaBand band = prepare_seas(data, meshes.fluid, meshes.own(), meshes.regions, log);
   const Estimate plan = plan_of(data, meshes);
   WorkShare work(plan, data);
   store.begin(data, meshes.fluid, plan);

@@ -91,8 +91,7 @@ void StageClock::add(const std::string& stage, std::chrono::duration<double> ela
 }
 
 Estimate plan_of(const Case& data, const Meshes& meshes) {
-  return estimate(data, meshes.fluid, meshes.own_plate ? &*meshes.own_plate : nullptr,
-                  omp_get_max_threads());
+  return estimate(data, meshes.fluid, meshes.own(), omp_get_max_threads());
 }
 
 Meshes prepare_meshes(const Case& data, Log& log) {
@@ -105,11 +104,10 @@ Meshes prepare_meshes(const Case& data, Log& log) {
   meshes.regions = plate_regions(data, meshes.plate().element_count(), file.groups);
 
   // Refuse what is too coarse or too large before anything is computed
-  const Preflight found = preflight(
-      data, meshes.fluid, meshes.own_plate ? &*meshes.own_plate : nullptr, &meshes.regions);
+  const Preflight found = preflight(data, meshes.fluid, meshes.own(), &meshes.regions);
   for (const std::string& warning : found.warnings) log.warning(warning);
   require_resolution(data, found);
-  require_fit(data, meshes.fluid, meshes.own_plate ? &*meshes.own_plate : nullptr);
+  require_fit(data, meshes.fluid, meshes.own());
   require_budget(plan_of(data, meshes),
                  numeric::memory_budget(data.memory_limit, numeric::memory_limits()));
   return meshes;

@@ -62,6 +62,8 @@ struct Meshes {
   std::optional<mesh::Q8Mesh> own_plate;
   plate::PlateRegions regions;  ///< of the plate's mesh
   const mesh::Q8Mesh& plate() const { return own_plate ? *own_plate : fluid; }
+  /// The plate's own mesh, null where it has none.
+  const mesh::Q8Mesh* own() const { return own_plate ? &*own_plate : nullptr; }
 };
 
 /// The dry plate and what is read off its modes.

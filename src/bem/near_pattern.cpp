@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <unordered_map>
-#include <utility>
 
 namespace floe::bem {
 namespace {
