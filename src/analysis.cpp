@@ -1,12 +1,28 @@
 #include "analysis_stages.hpp"
-#include "name_frequency.hpp"
+#include "second_try.hpp"
 #include "work_share.hpp"
 
 #include <floe/analysis.hpp>
+#include <floe/unsolved_frequency.hpp>
 
 #include <optional>
 
 namespace floe {
+namespace {
+
+FrequencyResult solve_or_tell(const Case& data, const PlateModel& plate, FluidModel& fluid,
+                              double omega, StageClock& clock, Log& log) {
+  const auto solve = data.route == SolverRoute::kModal ? solve_frequency : solve_frequency_direct;
+  try {
+    return solve_or_retry(data, fluid, omega, log,
+                          [&] { return solve(data, plate, fluid, omega, clock); });
+  } catch (const ConvergenceError& error) {
+    log.warning(error.what());
+    return unsolved_frequency(data, plate.modes.count(), omega, error.what());
+  }
+}
+
+}  // namespace
 
 void analyse(const Case& data, Log& log, Store& store) {
   StageClock clock;
@@ -30,23 +46,24 @@ void analyse(const Case& data, Log& log, Store& store) {
 
   // Prepare what no frequency changes, once something is to be solved
   std::optional<FluidModel> prepared;
-  const auto fluid = [&]() -> const FluidModel& {
+  const auto fluid = [&]() -> FluidModel& {
     if (!prepared)
       prepared.emplace(
           clock.time("geometry", [&] { return prepare_fluid(data, meshes, plate, band); }));
     return *prepared;
   };
 
-  // Solve one frequency after the other
+  // Solve one frequency after the other, and go on where one cannot be solved
+  std::vector<FrequencyReport> reports;
   for (std::size_t i = 0; i < data.omega.size(); ++i) {
     if (!data.shard.holds(i)) continue;
     log.progress(work.share(),
                  "frequency " + std::to_string(i + 1) + " of " + std::to_string(data.omega.size()));
-    const auto solve = modal ? solve_frequency : solve_frequency_direct;
     const std::optional<FrequencyResult> known = store.known_frequency(i);
-    store.frequency(known ? *known : name_frequency(data.omega[i], data.water, meshes.fluid, [&] {
-      return solve(data, plate, fluid(), data.omega[i], clock);
-    }));
+    const FrequencyResult result =
+        known ? *known : solve_or_tell(data, plate, fluid(), data.omega[i], clock, log);
+    store.frequency(result);
+    reports.push_back(result.report);
     work.frequency(known.has_value());
   }
 
@@ -59,6 +76,8 @@ void analyse(const Case& data, Log& log, Store& store) {
   }
   log.progress(1.0, "done");
   store.finish(clock.times());
+  const std::string unsolved = describe_unsolved(reports);
+  FLOE_VALIDATE_AS(ConvergenceError, unsolved.empty(), unsolved);
 }
 
 }  // namespace floe

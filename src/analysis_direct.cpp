@@ -69,25 +69,6 @@ bem::FloatingPlate floating_plate(const Case& data, const plate::PlateRegions& r
           .wavenumber = hydro::flexural_wavenumber(omega, data.water, typical)};
 }
 
-double heaviest_surface(const plate::PlateRegions& regions) {
-  const std::vector<Index> count = regions.element_counts();
-  double heaviest = 0.0;
-  for (int region = 0; region < regions.count(); ++region)
-    if (count[region] > 0) heaviest = std::max(heaviest, regions[region].surface_mass());
-  return heaviest;
-}
-
-void require_light(const Case& data, const plate::PlateRegions& regions, double omega) {
-  const double surface_mass = heaviest_surface(regions);
-  const double inertia = surface_mass * omega * omega;
-  const double weight = data.water.density * data.water.gravity;
-  FLOE_VALIDATE(inertia < weight,
-                "invalid omega = " << omega << " rad/s (must be below "
-                                   << std::sqrt(weight / surface_mass)
-                                   << " for solver.route = direct, where the plate's inertia "
-                                      "outweighs the water's stiffness)");
-}
-
 // Of the fluid's equation (I + κ𝒢)p = ρg(ζ₀ - w) by the exact operator, relative to ρgζ₀, and what
 // it leaves between the nodes
 void check_residuals(const Case& data, const FluidModel& fluid, const green::GreenTable& green,
@@ -157,7 +138,6 @@ void read_off(const Case& data, const PlateModel& plate, const FluidModel& fluid
 FrequencyResult solve_frequency_direct(const Case& data, const PlateModel& plate,
                                        const FluidModel& fluid, double omega, StageClock& clock) {
   const auto start = std::chrono::steady_clock::now();
-  require_light(data, plate.regions, omega);
   const mesh::Q8Mesh& mesh = fluid.integrals.mesh();
   const double weight = data.water.density * data.water.gravity;
   FrequencyResult result;

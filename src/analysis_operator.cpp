@@ -79,6 +79,7 @@ krylov::GmresOptions iteration_options(const Case& data, const FluidModel& fluid
   const KrylovPlan& space = fluid.operators.space;
   options.memory = space.memory;
   options.steps_without_restart = space.steps;
+  options.max_iterations = space.most_steps;
   if (space.in_float) options.basis = krylov::GmresOptions::Basis::single_precision;
   return options;
 }

@@ -107,7 +107,7 @@ Meshes prepare_meshes(const Case& data, Log& log) {
   const Preflight found = preflight(data, meshes.fluid, meshes.own(), &meshes.regions);
   for (const std::string& warning : found.warnings) log.warning(warning);
   require_resolution(data, found);
-  require_fit(data, meshes.fluid, meshes.own());
+  require_fit(data, meshes.fluid, meshes.own(), meshes.regions);
   require_budget(plan_of(data, meshes),
                  numeric::memory_budget(data.memory_limit, numeric::memory_limits()));
   return meshes;

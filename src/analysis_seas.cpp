@@ -1,6 +1,6 @@
 #include "finite_checks.hpp"
-#include "name_frequency.hpp"
 #include "sea_fluid.hpp"
+#include "second_try.hpp"
 #include "work_share.hpp"
 
 #include <floe/sea_statistics.hpp>
@@ -214,9 +214,8 @@ void tell_results(const SeaStatistics& statistics, const SeaGridReport& grid, co
 
 }  // namespace
 
-void solve_seas(const Case& data, const SeaBand& band, const PlateModel& plate,
-                const FluidModel& fluid, StageClock& clock, WorkShare& work, Log& log,
-                Store& store) {
+void solve_seas(const Case& data, const SeaBand& band, const PlateModel& plate, FluidModel& fluid,
+                StageClock& clock, WorkShare& work, Log& log, Store& store) {
   // Prepare what is observed, from where and at which frequencies
   const mesh::Q8Mesh& mesh = fluid.integrals.mesh();
   const double length = std::max(kReferenceLength / 10.0, mesh.size());
@@ -241,7 +240,7 @@ void solve_seas(const Case& data, const SeaBand& band, const PlateModel& plate,
         return std::move(*known);
       }
     FluidSample sample = clock.time("seas: radiation", [&] {
-      return name_frequency(omega, data.water, mesh, [&] { return waves.solve(omega); });
+      return solve_or_retry(data, fluid, omega, log, [&] { return waves.solve(omega); });
     });
     store.sea_sample(number, sample);
     return sample;

@@ -137,9 +137,8 @@ void add_pressures(const Case& data, const FluidModel& fluid, const MatXcd& pres
 void add_wave_elevation(const Case& data, const FluidModel& fluid, const green::GreenTable& green,
                         const MatXcd& pressure, FrequencyResult& result);
 
-void solve_seas(const Case& data, const SeaBand& band, const PlateModel& plate,
-                const FluidModel& fluid, StageClock& clock, WorkShare& work, Log& log,
-                Store& store);
+void solve_seas(const Case& data, const SeaBand& band, const PlateModel& plate, FluidModel& fluid,
+                StageClock& clock, WorkShare& work, Log& log, Store& store);
 /// Amplitudes (E.23) of all zones of all seas that have any, nodes × zones.
 MatXd all_zone_amplitudes(const std::vector<wave::SeaState>& seas, const mesh::Q8Mesh& mesh);
 /// Holds the zones against the plate and the lengths of their waves.

@@ -120,6 +120,14 @@ StageEstimate estimate_seas(const Sizes& s, const StageEstimate& radiation, int 
           .seconds = kSeaSolves * share * radiation.seconds / std::max(1.0, s.frequencies)};
 }
 
+// What the operator and the columns leave
+double krylov_budget(const Case& data, const mesh::Q8Mesh& mesh) {
+  const double all = plan_budget(data);
+  const double others = fluid_cost(resolve_method(data, mesh), fluid_work(data, mesh)).memory +
+                        columns_memory(static_cast<double>(mesh.node_count()), data);
+  return std::max(kKrylovLeast * all, kKrylovMost * (all - others));
+}
+
 }  // namespace
 
 SolverMethod resolve_method(const Case& data, const mesh::Q8Mesh& mesh) {
@@ -140,16 +148,13 @@ SolverMethod resolve_method(const Case& data, const mesh::Q8Mesh& mesh) {
 
 double plan_budget(const Case& data) {
   if (data.plan_memory > 0.0) return data.plan_memory;
-  return numeric::memory_budget(data.memory_limit, numeric::memory_limits());
+  return data.memory_limit > 0.0 ? data.memory_limit : kPlannedMemory;
 }
 
 KrylovPlan plan_krylov(const Case& data, const mesh::Q8Mesh& mesh) {
   const SolverMethod method = resolve_method(data, mesh);
   const FluidWork work = fluid_work(data, mesh);
-  const double all = plan_budget(data);
-  const double others = fluid_cost(method, work).memory +
-                        columns_memory(static_cast<double>(mesh.node_count()), data);
-  const double budget = std::max(kKrylovLeast * all, kKrylovMost * (all - others));
+  const double budget = krylov_budget(data, mesh);
 
   // Room for all columns in one block. Where the budget is small, single precision first, then as
   // many directions as expected: blocks of fewer columns need twice the applications
@@ -167,6 +172,18 @@ KrylovPlan plan_krylov(const Case& data, const mesh::Q8Mesh& mesh) {
   plan.steps = static_cast<Index>(steps);
   plan.memory = std::min(need(steps, plan.in_float), budget);
   return plan;
+}
+
+KrylovPlan longest_krylov(const Case& data, const mesh::Q8Mesh& mesh) {
+  constexpr Index kSteps = 100, kMostSteps = 1000;
+  constexpr double kDirections = 1000.0;  // their products with each other take memory too
+  const FluidWork work = fluid_work(data, mesh);
+  const double scratch = (krylov::kScratchColumns + 1.0) * work.columns;
+  return {
+      .memory = std::min((kDirections + scratch) * 16.0 * work.nodes, krylov_budget(data, mesh)),
+      .steps = kSteps,
+      .in_float = false,
+      .most_steps = kMostSteps};
 }
 
 Estimate estimate(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Mesh* plate_mesh,
@@ -188,7 +205,9 @@ Estimate estimate(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Mesh
                    estimate_response(s)};
   if (!data.seas.empty() || (data.sea_grid.from && data.sea_grid.to))
     needed.stages.push_back(estimate_seas(s, radiation, std::max(1, threads)));
-  needed.knobs = "a coarser mesh, fewer modes, a larger --memory";
+  needed.knobs = data.memory_limit > 0.0
+                     ? "a coarser mesh, fewer modes, a larger --memory"
+                     : "a coarser mesh, fewer modes, --memory, with which less is planned for";
 
   // Mode shapes and the mesh live through all stages
   const double shared = kBytesOfProgram + 8.0 * 3.0 * s.nodes * s.modes + 300.0 * s.elements;

@@ -155,6 +155,21 @@ void require_structure(const Case& data, const mesh::Q8Mesh& mesh) {
     plate::check_matrices(mesh, data.structure->matrices);
 }
 
+// The direct route's compliance is that of a plate which its own inertia does not lift
+void require_light(const Case& data, const plate::PlateRegions& regions) {
+  if (data.route != SolverRoute::kDirect) return;
+  const std::vector<Index> count = regions.element_counts();
+  double heaviest = 0.0;
+  for (int region = 0; region < regions.count(); ++region)
+    if (count[region] > 0) heaviest = std::max(heaviest, regions[region].surface_mass());
+  const double omega = data.omega.back(), weight = data.water.density * data.water.gravity;
+  FLOE_VALIDATE(heaviest * omega * omega < weight,
+                "invalid omega = " << omega << " rad/s (must be below "
+                                   << std::sqrt(weight / heaviest)
+                                   << " for solver.route = direct, where the plate's inertia "
+                                      "outweighs the water's stiffness)");
+}
+
 void require_cover(const mesh::Q8Mesh& plate, const mesh::Q8Mesh& fluid) {
   const mesh::PointLocator locator(plate);
   for (Index node = 0; node < fluid.node_count(); ++node) {
@@ -217,8 +232,10 @@ void require_resolution(const Case& data, const Preflight& found) {
                                                 "--allow-coarse)");
 }
 
-void require_fit(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Mesh* plate_mesh) {
+void require_fit(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Mesh* plate_mesh,
+                 const plate::PlateRegions& regions) {
   require_points(data, mesh);
+  require_light(data, regions);
   if (plate_mesh) {
     require_cover(*plate_mesh, mesh);
     require_points(data, *plate_mesh);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace floe {
@@ -108,7 +109,10 @@ double exact_residual_limit(double tolerance) {
 
 std::vector<SelfCheck> self_checks(const Case& data, const std::vector<Resolution>& resolution,
                                    const plate::DryModes& modes,
-                                   const std::vector<FrequencyReport>& reports) {
+                                   const std::vector<FrequencyReport>& all) {
+  std::vector<FrequencyReport> reports;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(reports),
+               [](const FrequencyReport& report) { return report.failure.empty(); });
   if (reports.empty()) return {};
   using Report = FrequencyReport;
   const bool modal = data.route == SolverRoute::kModal;

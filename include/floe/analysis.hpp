@@ -154,6 +154,7 @@ struct FrequencyReport {
   double mode_change = 0.0;
   double passivity_error = 0.0;  ///< most negative eigenvalue of the damping over the largest
   double seconds = 0.0;          ///< wall time
+  std::string failure = {};      ///< why there is no result; empty: there is one
 };
 
 /// Node field of one wave: nodal deflection and pressure per metre of amplitude.
@@ -234,6 +235,7 @@ class Store {
   virtual void begin(const Case& data, const mesh::Q8Mesh& mesh, const Estimate& plan) = 0;
   /// `mesh` is that of the modes: the plate's own, or else the fluid's.
   virtual void modes(const plate::DryModes& modes, const mesh::Q8Mesh& mesh) = 0;
+  /// Also one that could not be solved: its report tells why.
   virtual void frequency(const FrequencyResult& result) = 0;
   virtual void begin_seas(const SeaObservation&, const SeaGridReport& planned) { (void)planned; }
   virtual void sea_transfer(const SeaTransfer&) {}
@@ -251,8 +253,11 @@ class Store {
 };
 
 /// Runs the case: mesh, dry modes, then for each frequency radiation, coupling and response, then
-/// the seas. Throws MeshError, InputError, DataError (a sea's energy lies beyond the band),
-/// BudgetError, ConvergenceError; what was finished is in the store.
+/// the seas. A frequency that does not converge is tried once more by other means; if that fails
+/// too, the store gets its `unsolved_frequency` and the others are solved. Throws MeshError,
+/// InputError, DataError (a sea's energy lies beyond the band), BudgetError, ConvergenceError (at
+/// once where plate or seas cannot be solved, after `finish` where frequencies could not); what was
+/// finished is in the store.
 void analyse(const Case& data, Log& log, Store& store);
 
 }  // namespace floe

@@ -31,8 +31,13 @@ struct Estimate {
 /// equal rectangles. The machine has no say.
 SolverMethod resolve_method(const Case& data, const mesh::Q8Mesh& mesh);
 
-/// The memory that methods are planned for [byte]. A run keeps it, so that going on with it later,
-/// with other memory free, gives the same bits; what is free only refuses.
+/// The memory that methods are planned for where no limit is given [byte]: what a machine of 16 GB
+/// can give.
+inline constexpr double kPlannedMemory = 12e9;
+
+/// The memory that methods are planned for [byte]: Case::plan_memory, Case::memory_limit or
+/// kPlannedMemory, the first that is given. What is free at the moment only refuses, so that the
+/// same case gives the same bits. A run keeps it for those that go on with it.
 double plan_budget(const Case& data);
 
 /// The Krylov space of an iterative solution.
@@ -40,8 +45,13 @@ struct KrylovPlan {
   double memory = 0.0;    ///< what all columns need together, less where the budget is small [byte]
   Index steps = 0;        ///< for which there is room
   bool in_float = false;  ///< in single precision: where double does not fit or gains nothing
+  Index most_steps = 500;  ///< of all cycles together, then it has not converged
 };
 KrylovPlan plan_krylov(const Case& data, const mesh::Q8Mesh& mesh);
+
+/// For what that one did not solve: double precision, a thousand directions between two restarts
+/// where there is room for them, twice as many steps.
+KrylovPlan longest_krylov(const Case& data, const mesh::Q8Mesh& mesh);
 
 /// Sizes follow from the counts of the case; times from fixed rates of a current core (a factor of
 /// two either way), so that the same case gives the same plan on every machine. `plate_mesh` is the

@@ -52,10 +52,11 @@ Preflight preflight(const Case& data, const mesh::Q8Mesh& mesh,
 void require_resolution(const Case& data, const Preflight& found);
 
 /// Throws what a run would throw later on. InputError: a point or a station of a line lies on no
-/// plate (the first is named), or there are fewer modes than three a plate or more than half the
-/// unknowns. MeshError: the plate's own mesh leaves out a node of the fluid's, or the case wants
-/// the lattice's method and the mesh is none.
-void require_fit(const Case& data, const mesh::Q8Mesh& mesh,
-                 const mesh::Q8Mesh* plate_mesh = nullptr);
+/// plate (the first is named), there are fewer modes than three a plate or more than half the
+/// unknowns, or the direct route meets a frequency at which the plate's inertia outweighs the
+/// water's stiffness. MeshError: the plate's own mesh leaves out a node of the fluid's, or the case
+/// wants the lattice's method and the mesh is none.
+void require_fit(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Mesh* plate_mesh,
+                 const plate::PlateRegions& regions);
 
 }  // namespace floe

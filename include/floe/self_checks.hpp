@@ -56,10 +56,10 @@ double exact_residual_limit(double tolerance);
 
 /// Residual of the fluid's equation, the same by the exact operator, error of the Green function's
 /// table, symmetry of the fluid matrix, radiated energy, damping without a negative eigenvalue,
-/// orthonormal modes, rigid modes without force, nodes a wavelength. Empty without a finished
-/// frequency.
+/// orthonormal modes, rigid modes without force, nodes a wavelength. Of the frequencies that
+/// were solved; empty without one.
 std::vector<SelfCheck> self_checks(const Case& data, const std::vector<Resolution>& resolution,
                                    const plate::DryModes& modes,
-                                   const std::vector<FrequencyReport>& reports);
+                                   const std::vector<FrequencyReport>& all);
 
 }  // namespace floe

@@ -79,16 +79,17 @@ py::list report_list(const Frequencies& frequencies) {
   py::list list;
   for (const FrequencyResult& result : frequencies) {
     const FrequencyReport& report = result.report;
-    list.append(py::dict(
-        py::arg("omega") = report.omega, py::arg("method") = report.method,
-        py::arg("iterations") = report.iterations, py::arg("applications") = report.applications,
-        py::arg("true_residual") = report.true_residual,
-        py::arg("kernel_error") = report.kernel_error,
-        py::arg("reciprocity_error") = report.reciprocity_error,
-        py::arg("energy_error") = report.energy_error,
-        py::arg("exact_residual") = report.exact_residual,
-        py::arg("residual_between_nodes") = report.residual_between_nodes,
-        py::arg("mode_change") = report.mode_change, py::arg("seconds") = report.seconds));
+    list.append(py::dict(py::arg("omega") = report.omega, py::arg("method") = report.method,
+                         py::arg("iterations") = report.iterations,
+                         py::arg("applications") = report.applications,
+                         py::arg("true_residual") = report.true_residual,
+                         py::arg("kernel_error") = report.kernel_error,
+                         py::arg("reciprocity_error") = report.reciprocity_error,
+                         py::arg("energy_error") = report.energy_error,
+                         py::arg("exact_residual") = report.exact_residual,
+                         py::arg("residual_between_nodes") = report.residual_between_nodes,
+                         py::arg("mode_change") = report.mode_change,
+                         py::arg("seconds") = report.seconds, py::arg("failure") = report.failure));
   }
   return list;
 }

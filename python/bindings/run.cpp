@@ -79,7 +79,9 @@ class BothStores final : public Store {
   void finish(const std::vector<StageTime>& times) override {
     memory_.finish(times);
     if (directory_) directory_->finish(times);
+    finished_ = true;
   }
+  bool finished() const { return finished_; }
 
  private:
   template <typename Call, typename... Given>
@@ -91,6 +93,7 @@ class BothStores final : public Store {
 
   MemoryStore memory_;
   io::DirectoryStore* directory_;  // view, null: none
+  bool finished_ = false;
 };
 
 class KeptThreads {
@@ -112,15 +115,22 @@ io::Existing existing_of(bool resume, bool fresh) {
   return fresh ? io::Existing::kReplace : resume ? io::Existing::kResume : io::Existing::kRefuse;
 }
 
-// What was found out before an exception stays in the directory
-void analyse_into(const Case& data, Log& log, RunResults& results, io::DirectoryStore* directory) {
+// What was found out before an exception stays in the directory. Returns what could not be solved
+// where the run came to its end all the same
+std::string analyse_into(const Case& data, Log& log, RunResults& results,
+                         io::DirectoryStore* directory) {
   BothStores stores(results, directory);
   try {
     analyse(data, log, stores);
+  } catch (const ConvergenceError& error) {
+    if (stores.finished()) return error.what();
+    if (directory) directory->stop(error.what());
+    throw;
   } catch (const std::exception& error) {
     if (directory) directory->stop(error.what());
     throw;
   }
+  return "";
 }
 
 py::dict run(const io::CaseFile& file, const std::optional<std::filesystem::path>& output,
@@ -132,18 +142,22 @@ py::dict run(const io::CaseFile& file, const std::optional<std::filesystem::path
   Case data = file.data;
   data.allow_coarse = allow_coarse;
   data.memory_limit = memory;
+  std::string failure;
   {
     const py::gil_scoped_release released;
     const KeptThreads kept(threads);
     CallingLog log(results, progress);
     std::optional<io::DirectoryStore> directory;
     if (output) directory.emplace(*output, existing_of(resume, fresh));
-    analyse_into(data, log, results, directory ? &*directory : nullptr);
+    if (directory) data.plan_memory = directory->earlier_plan_memory();
+    failure = analyse_into(data, log, results, directory ? &*directory : nullptr);
     if (directory)
       for (const std::string& damaged : directory->damaged_records())
         log.warning(damaged + " (computed again)");
   }
-  return dictionary_of(results);
+  py::dict fields = dictionary_of(results);
+  fields["failure"] = failure;
+  return fields;
 }
 
 }  // namespace
@@ -161,7 +175,7 @@ void bind_run(py::module_& module) {
       py::arg("text"), py::arg("name"), py::arg("folder"), "Reads a case from its text.");
   module.def("run", &run, py::arg("case"), py::arg("output"), py::arg("threads"), py::arg("memory"),
              py::arg("resume"), py::arg("fresh"), py::arg("allow_coarse"), py::arg("progress"),
-             "The fields of floe.Result.");
+             "The fields of floe.Result, and `failure`: what could not be solved, or \"\".");
   module.def(
       "load",
       [](const std::filesystem::path& directory) {

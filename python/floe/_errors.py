@@ -1,5 +1,12 @@
 """What can go wrong, one class a cause, with the exit code that the program `floe` would give."""
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from ._results import Result
+
 
 class Error(Exception):
     """Base of every error that floe raises on purpose."""
@@ -41,6 +48,8 @@ class ConvergenceError(Error, ArithmeticError):
     """A solution did not converge or is not finite."""
 
     exit_code = 8
+    result: Result | None = None
+    """All other frequencies, with NaN for those that have no result; None where nothing was solved."""
 
 
 class StoreError(Error):

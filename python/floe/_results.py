@@ -129,6 +129,8 @@ class Report:
     mode_change: float
     """Of the deflection without the highest quarter of the elastic modes; 0 by the direct route."""
     seconds: float
+    failure: str
+    """Why there is no result; empty where there is one."""
 
 
 @dataclasses.dataclass(frozen=True, eq=False)

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Callable
 import numpy as np
 
 from . import _case, _core
-from ._errors import AccuracyWarning, CaseError
+from ._errors import AccuracyWarning, CaseError, ConvergenceError
 from ._results import Result, result_of
 
 if TYPE_CHECKING:
@@ -44,7 +44,9 @@ def run(
     Ctrl-C (KeyboardInterrupt) and an exception of `progress` stop the run after the frequency that
     is being solved; what was finished is kept in `output`. What may make the results worse is in
     `warnings` of the result and issued as AccuracyWarning. Raises floe.CaseError, MeshError,
-    SeaError, BudgetError, FileError, ConvergenceError, StoreError, BusyError, all floe.Error.
+    SeaError, BudgetError, FileError, ConvergenceError, StoreError, BusyError, all floe.Error. Where
+    only some frequencies could not be solved, `result` of the ConvergenceError has the others, with
+    NaN for those.
     """
     if threads is not None and not 1 <= threads <= _MOST_THREADS:
         raise CaseError(f"invalid threads = {threads} (must be 1 to {_MOST_THREADS})")
@@ -62,9 +64,14 @@ def run(
         allow_coarse,
         progress,
     )
+    failure = fields.pop("failure")
     result = result_of(fields)
     for text in result.warnings:
         warnings.warn(text, AccuracyWarning, stacklevel=2)
+    if failure:
+        error = ConvergenceError(failure)
+        error.result = result
+        raise error
     return result
 
 

@@ -50,7 +50,7 @@ std::string BodyResults::body_name() const {
   return joined;
 }
 
-BodyResults body_results(const StoredRun& run, plate::DofSet set) {
+BodyResults body_results(const StoredRun& run, plate::DofSet set, Unsolved unsolved) {
   const plate::DryModes modes = run.modes();
   BodyResults results;
   results.dofs = plate::body_dofs(run.mode_mesh(), modes, set);
@@ -60,8 +60,9 @@ BodyResults body_results(const StoredRun& run, plate::DofSet set) {
   results.hydrostatic_stiffness =
       results.dofs.motion.transpose() * modal_hydrostatics(run, modes) * results.dofs.motion;
   for (std::size_t i = 0; i < run.data().omega.size(); ++i)
-    if (run.has_frequency(i))
-      results.frequencies.push_back(in_dofs(results.dofs, run.frequency(i)));
+    if (unsolved == Unsolved::kAsNan || run.has_frequency(i))
+      if (const auto tried = run.tried_frequency(i, modes.count()))
+        results.frequencies.push_back(in_dofs(results.dofs, *tried));
   FLOE_VALIDATE_AS(StoreError, !results.frequencies.empty(),
                    run.directory().string() << " holds no finished frequency");
   return results;

@@ -35,6 +35,13 @@ struct BodyResults {
   std::string body_name() const;
 };
 
-BodyResults body_results(const StoredRun& run, plate::DofSet set);
+/// What becomes of frequencies that could not be solved.
+enum class Unsolved {
+  kLeftOut,  ///< for formats that know no NaN
+  kAsNan     ///< report.failure tells why
+};
+
+BodyResults body_results(const StoredRun& run, plate::DofSet set,
+                         Unsolved unsolved = Unsolved::kLeftOut);
 
 }  // namespace floe::io

@@ -45,6 +45,10 @@ CsvTable::CsvTable(const std::filesystem::path& path, const std::vector<std::str
 }
 
 CsvTable& CsvTable::operator<<(double value) {
+  if (unknown_ && std::isnan(value)) {
+    cell("nan");
+    return *this;
+  }
   FLOE_VALIDATE_AS(ConvergenceError, std::isfinite(value),
                    "invalid " << columns_[std::min(filled_, columns_.size() - 1)] << " = " << value
                               << " in " << file_.path().filename().string() << " after \"" << row_

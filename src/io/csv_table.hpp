@@ -15,7 +15,7 @@ std::string shortest(double value);
 
 /// A table with commas, no blanks, shortest round-trip numbers, `#` comment lines before the
 /// header. Appears under its name only when committed. A number that is not finite throws
-/// ConvergenceError naming file and column.
+/// ConvergenceError naming file and column, unless it is said to be unknown.
 class CsvTable final {
  public:
   CsvTable(const std::filesystem::path& path, const std::vector<std::string>& comments,
@@ -27,6 +27,8 @@ class CsvTable final {
   /// Real part, imaginary part, absolute value: three cells.
   CsvTable& operator<<(const Complex& value);
   void end_row();
+  /// From now on NaN is written where it stands, or no longer.
+  void let_unknown(bool let) { unknown_ = let; }
 
   void mark() { file_.mark(); }
   void rollback() { file_.rollback(); }
@@ -39,6 +41,7 @@ class CsvTable final {
   std::vector<std::string> columns_;
   std::string row_;
   std::size_t filled_ = 0;
+  bool unknown_ = false;
 };
 
 }  // namespace floe::io

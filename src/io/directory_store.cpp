@@ -51,7 +51,7 @@ class DirectoryStore::Impl {
   void drop_samples(const std::vector<int>& kept);
   void end(const std::string& status);
 
-  bool resume_;
+  bool resume_, finished_ = false;
   Case data_;
   const mesh::Q8Mesh* mesh_ = nullptr;    // view, until the end
   std::size_t transfers_ = 0, seas_ = 0;  // stored so far
@@ -113,7 +113,16 @@ std::size_t DirectoryStore::Impl::place_of(double omega) const {
 
 // The record first: what was solved is kept even where a table cannot be
 void DirectoryStore::Impl::frequency(const FrequencyResult& result) {
-  records->store(numbered_record("frequency", place_of(result.omega)), record_of(result));
+  const std::size_t place = place_of(result.omega);
+  const std::string failure = numbered_record("failure", place);
+  if (result.report.failure.empty()) {
+    records->store(numbered_record("frequency", place), record_of(result));
+    records->remove({failure});  // of an earlier run
+    products->unlist({failure});
+  } else {
+    products->list({failure});
+    records->replace(failure, record_of_failure(result.report));
+  }
   products->frequency(result);
 }
 
@@ -198,12 +207,13 @@ std::optional<SeaMarch> DirectoryStore::Impl::known_march() {
 
 void DirectoryStore::Impl::finish(const std::vector<StageTime>& times) {
   products->account.stages = times;
-  end("complete");
+  end(products->unsolved() > 0 ? kFailed : "complete");
+  finished_ = true;
 }
 
 void DirectoryStore::Impl::stop(const std::string& status) {
   mesh_ = nullptr;
-  if (!products) return;
+  if (!products || finished_) return;
   if (records && (resume_ || !products->account.frequencies.empty())) {
     end(status);
     return;

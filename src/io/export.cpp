@@ -5,6 +5,7 @@
 
 #include <floe/io/export.hpp>
 #include <floe/io/stored_run.hpp>
+#include <floe/unsolved_frequency.hpp>
 
 namespace floe::io {
 namespace {
@@ -53,6 +54,7 @@ Exported export_run(const std::filesystem::path& directory) {
       static_cast<void>(run.frequency(i));
     else
       exported.missing.push_back(data.omega[i]);
+    static_cast<void>(run.failure(i));
   }
   exported.seas_missing = run.wants_seas() && !run.finished_seas();
   const bool spectra = std::filesystem::exists(directory / NodeSpectraFile::kName);
@@ -67,12 +69,14 @@ Exported export_run(const std::filesystem::path& directory) {
   if (data.node_spectra && spectra) products.list({NodeSpectraFile::kName});
   if (modes) products.modes(*modes);
   for (std::size_t i = 0; i < data.omega.size(); ++i)
-    if (run.has_frequency(i)) products.frequency(run.frequency(i));
+    if (const auto tried = run.tried_frequency(i, modes ? modes->count() : 0))
+      products.frequency(*tried);
+  exported.unsolved = describe_unsolved(products.account.frequencies);
   if (const std::optional<SeaGridReport> grid = run.finished_seas()) {
     for (const SeaResult& sea : seas) products.sea(sea);
     products.end_seas(*grid);
   }
-  products.end(status_of(run, exported));
+  products.end(exported.unsolved.empty() ? status_of(run, exported) : kFailed);
   exported.files = products.account.files;
   return exported;
 }

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdlib>
 #include <ctime>
 
@@ -46,7 +47,9 @@ void add_account(NetcdfFile& file, const StoredRun& run, const BodyResults& resu
   file.add_attribute("", "creation_of_dataset", now());
   file.add_attribute("", "conventions", kConventions);
   file.add_attribute("", "degrees_of_freedom", kMotions);
-  file.add_attribute("", "solver", results.frequencies.front().report.method);
+  const auto solved = std::find_if(results.frequencies.begin(), results.frequencies.end(),
+                                   [](const BodyFrequency& f) { return f.report.failure.empty(); });
+  if (solved != results.frequencies.end()) file.add_attribute("", "solver", solved->report.method);
   file.add_attribute("", "solver_tolerance", data.tolerance);
   file.add_attribute("", "frequencies_asked_for", static_cast<double>(data.omega.size()));
   file.add_attribute("", "mesh_hash", manifest.value("mesh_hash", ""));
@@ -83,7 +86,7 @@ std::vector<double> split_complex(const std::vector<MatXcd>& matrices) {
 }
 
 void write_netcdf(const StoredRun& run, const std::filesystem::path& path, plate::DofSet dofs) {
-  const BodyResults results = body_results(run, dofs);
+  const BodyResults results = body_results(run, dofs, Unsolved::kAsNan);
   NetcdfFile file = NetcdfFile::create(path);
   add_account(file, run, results);
   add_coordinates(file, run, results);
@@ -91,7 +94,7 @@ void write_netcdf(const StoredRun& run, const std::filesystem::path& path, plate
   add_solver(file, results);
   if (dofs != plate::DofSet::kSixRigid) {
     add_plate(file, run, results);
-    add_places(file, run);
+    add_places(file, run, results);
     add_seas(file, run);
   }
   file.close();

@@ -72,7 +72,7 @@ Json make_manifest(const Case& data, const std::string& mesh_hash) {
                    {"options", case_json(data)}};
   if (data.shard.count > 1)
     manifest["shard"] = {{"index", data.shard.index}, {"count", data.shard.count}};
-  manifest["plan_memory"] = data.plan_memory;
+  manifest["plan_memory"] = plan_budget(data);
   manifest["case_text"] = data.text;
   return manifest;
 }

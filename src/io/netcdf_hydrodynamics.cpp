@@ -175,8 +175,9 @@ void add_solver(NetcdfFile& file, const BodyResults& results) {
   add_series(file, results, "energy_error",
              [](const BodyFrequency& f) { return f.report.energy_error; });
   describe(file, "energy_error", "Damping against radiated energy, relative", "1");
-  add_count(file, results, "status", [](const BodyFrequency&) { return 0; });
-  describe(file, "status", "Status", "", "0: solved");
+  add_count(file, results, "status",
+            [](const BodyFrequency& f) { return f.report.failure.empty() ? 0 : 1; });
+  describe(file, "status", "Status", "", "0: solved, 1: not solved, its values are NaN");
 }
 
 }  // namespace floe::io

@@ -32,7 +32,7 @@ void add_solver(NetcdfFile& file, const BodyResults& results);
 /// Nodes, elements and the shapes of the degrees of freedom.
 void add_plate(NetcdfFile& file, const StoredRun& run, const BodyResults& results);
 /// Points, lines, wave points and node fields.
-void add_places(NetcdfFile& file, const StoredRun& run);
+void add_places(NetcdfFile& file, const StoredRun& run, const BodyResults& results);
 /// Spectra and statistics.
 void add_seas(NetcdfFile& file, const StoredRun& run);
 

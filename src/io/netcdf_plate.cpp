@@ -164,20 +164,19 @@ void add_plate(NetcdfFile& file, const StoredRun& run, const BodyResults& result
   add_shapes(file, modes, results.dofs);
 }
 
-void add_places(NetcdfFile& file, const StoredRun& run) {
+void add_places(NetcdfFile& file, const StoredRun& run, const BodyResults& results) {
   // Everything but node fields fits into memory
   const Case& data = run.data();
   std::vector<FrequencyResult> all;
   std::vector<double> field_omega, field_direction;
   for (std::size_t i = 0; i < data.omega.size(); ++i)
-    if (run.has_frequency(i)) {
-      FrequencyResult result = run.frequency(i);
-      for (const NodeField& field : result.fields) {
+    if (std::optional<FrequencyResult> result = run.tried_frequency(i, results.dofs.count())) {
+      for (const NodeField& field : result->fields) {
         field_omega.push_back(field.omega);
         field_direction.push_back(kDegree * field.heading_deg);
       }
-      result.fields.clear();
-      all.push_back(std::move(result));
+      result->fields.clear();
+      all.push_back(std::move(*result));
     }
 
   add_points(file, data.points, "point", "Points on the plate");

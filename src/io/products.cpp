@@ -84,6 +84,14 @@ void Products::frequency(const FrequencyResult& result) {
   tables_->mark();
   account.frequencies.push_back(result.report);
   account.wavenumber.push_back(result.wavenumber);
+  if (!result.report.failure.empty())
+    account.warnings.push_back("no result: " + result.report.failure);
+}
+
+std::size_t Products::unsolved() const {
+  return static_cast<std::size_t>(
+      std::count_if(account.frequencies.begin(), account.frequencies.end(),
+                    [](const FrequencyReport& report) { return !report.failure.empty(); }));
 }
 
 PvdEntry Products::entry_of(const NodeField& field) const {
@@ -164,7 +172,7 @@ void Products::end(const std::string& status) {
     tables_->commit();
     tables_.reset();
     write_pvd(file("fields.pvd"), fields_);
-    if (!account.frequencies.empty() && data_.route == SolverRoute::kModal)
+    if (account.frequencies.size() > unsolved() && data_.route == SolverRoute::kModal)
       write_netcdf(StoredRun(directory_), file("result.nc"), plate::DofSet::kPlate);
   }
   account.status = status;

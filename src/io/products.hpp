@@ -32,7 +32,9 @@ class Products final {
            const mesh::Q8Mesh& mesh, RunAccount account);
 
   void modes(const plate::DryModes& modes);
+  /// NaN in the tables, and a warning, for one that could not be solved.
   void frequency(const FrequencyResult& result);
+  std::size_t unsolved() const;  ///< so far
   /// Spectra of all nodes are to come, where the case asks for them.
   void begin_seas(const std::vector<wave::SeaState>& seas, const std::vector<double>& omega);
   void node_spectrum(std::size_t result, std::size_t frequency, const VecXd& spectrum) {

@@ -10,8 +10,8 @@ namespace {
 constexpr std::string_view kSuffix = ".rec";
 constexpr std::array<std::string_view, 6> kSingle = {"mesh",      "plate_mesh", "modes",
                                                      "sea_march", "sea_grid",   "sea_observation"};
-constexpr std::array<std::string_view, 4> kNumbered = {"frequency_", "transfer_", "sample_",
-                                                       "sea_"};
+constexpr std::array<std::string_view, 5> kNumbered = {"frequency_", "failure_", "transfer_",
+                                                       "sample_", "sea_"};
 
 bool is_number(std::string_view text) {
   return text.size() >= 5 && text.find_first_not_of("0123456789") == std::string_view::npos;

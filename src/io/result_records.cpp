@@ -168,6 +168,15 @@ FrequencyResult frequency_from(const Record& record) {
   return result;
 }
 
+Record record_of_failure(const FrequencyReport& report) {
+  Record record;
+  record.put("omega", report.omega);
+  record.put("failure", report.failure);
+  return record;
+}
+
+std::string failure_from(const Record& record) { return record.text("failure"); }
+
 Record record_of(const SeaObservation& observation, const SeaGridReport& grid) {
   Record record;
   record.put("quantity", as_vector(observation.quantity));

@@ -4,6 +4,8 @@
 
 #include <floe/analysis.hpp>
 
+#include <string>
+
 /// What a run computes, as records and back. All numbers keep all their bits.
 namespace floe::io {
 
@@ -18,6 +20,10 @@ plate::DryModes modes_from(const Record& record);
 
 Record record_of(const FrequencyResult& result);
 FrequencyResult frequency_from(const Record& record);
+
+/// What is kept of a frequency that could not be solved: FrequencyReport::failure.
+Record record_of_failure(const FrequencyReport& report);
+std::string failure_from(const Record& record);
 
 Record record_of(const SeaObservation& observation, const SeaGridReport& grid);
 SeaObservation observation_from(const Record& record);

@@ -120,6 +120,7 @@ ResultTables::ResultTables(const std::filesystem::path& folder,
 
 void ResultTables::add(const Case& data, const FrequencyResult& result) {
   expect_shapes(data, result);
+  each([&](CsvTable& table) { table.let_unknown(!result.report.failure.empty()); });
   add_points(points_, data.points, data, result.omega, result.point_deflection);
   add_lines(lines_, data, result);
   add_quantities(quantities_, data, result);

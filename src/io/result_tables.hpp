@@ -19,7 +19,8 @@ class ResultTables final {
   ResultTables(const std::filesystem::path& folder, const std::vector<std::string>& remarks,
                SolverRoute route);
 
-  /// Appends one frequency; rows by rising frequency, then heading, then as in the case.
+  /// Appends one frequency; rows by rising frequency, then heading, then as in the case. NaN in one
+  /// that could not be solved.
   void add(const Case& data, const FrequencyResult& result);
   /// Counts all rows so far as good.
   void mark();

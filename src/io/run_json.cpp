@@ -75,8 +75,15 @@ void add_resolution(const std::vector<Resolution>& all, double omega, Json& freq
 }
 
 Json frequency_json(const FrequencyReport& report, double wavenumber) {
+  const double wavelength = 2.0 * std::numbers::pi / wavenumber;
+  if (!report.failure.empty())
+    return {{"omega", report.omega},
+            {"wavelength", wavelength},
+            {"status", "failed"},
+            {"failure", report.failure}};
   return {{"omega", report.omega},
-          {"wavelength", 2.0 * std::numbers::pi / wavenumber},
+          {"wavelength", wavelength},
+          {"status", "solved"},
           {"method", report.method},
           {"iterations", report.iterations},
           {"applications", report.applications},

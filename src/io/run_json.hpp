@@ -16,10 +16,12 @@ namespace floe::io {
 
 /// The status of a run that has not ended, or was killed.
 inline const std::string kRunning = "running";
+/// That of one that has ended with frequencies that could not be solved.
+inline const std::string kFailed = "failed";
 
 /// What `run.json` tells about a run.
 struct RunAccount {
-  std::string status;  ///< "running", "complete", or why it stopped
+  std::string status;  ///< "running", "complete", "failed", or why it stopped
   std::string mesh_hash;
   Index nodes = 0;
   Index elements = 0;

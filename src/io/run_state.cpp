@@ -12,8 +12,10 @@ namespace {
 
 RunState::Frequency look_at_frequency(const StoredRun& run, std::size_t place) {
   RunState::Frequency found{.omega = run.data().omega[place]};
-  if (!run.has_frequency(place)) return found;
   try {
+    found.failure = run.failure(place);
+    if (!found.failure.empty()) found.part = RunState::Part::kFailed;
+    if (!run.has_frequency(place)) return found;
     const FrequencyReport report = run.frequency(place).report;
     found.part = RunState::Part::kDone;
     found.seconds = report.seconds;

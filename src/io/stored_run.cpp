@@ -6,6 +6,7 @@
 
 #include <floe/io/stored_run.hpp>
 #include <floe/numeric/error.hpp>
+#include <floe/unsolved_frequency.hpp>
 
 #include <limits>
 
@@ -53,6 +54,7 @@ StoredRun::StoredRun(std::filesystem::path directory) : directory_(std::move(dir
   data_ = case_from_json(manifest.at("options"));
   try {
     text_ = manifest.at("case_text");
+    data_.plan_memory = manifest.value("plan_memory", 0.0);
     if (manifest.contains("shard"))
       data_.shard = {manifest.at("shard").at("index"), manifest.at("shard").at("count")};
     status_ = lost ? "not known" : account.at("status").get<std::string>();
@@ -113,6 +115,20 @@ FrequencyResult StoredRun::frequency(std::size_t place) const {
   return frequency_from(Record::read(record(numbered_record("frequency", place))));
 }
 
+std::string StoredRun::failure(std::size_t place) const {
+  const std::filesystem::path path = record(numbered_record("failure", place));
+  if (has_frequency(place) || !std::filesystem::exists(path)) return "";
+  return failure_from(Record::read(path));
+}
+
+std::optional<FrequencyResult> StoredRun::tried_frequency(std::size_t place,
+                                                          Index mode_count) const {
+  if (has_frequency(place)) return frequency(place);
+  std::string why = failure(place);
+  if (why.empty()) return std::nullopt;
+  return unsolved_frequency(data_, mode_count, data_.omega[place], std::move(why));
+}
+
 std::vector<FrequencyResult> StoredRun::frequencies() const {
   std::vector<FrequencyResult> results;
   for (std::size_t i = 0; i < data_.omega.size(); ++i)
@@ -141,7 +157,10 @@ RunResults StoredRun::results() const {
   results.fluid_mesh = fluid_mesh();
   results.mode_mesh = mode_mesh();
   if (data_.route == SolverRoute::kModal) results.modes = modes();
-  results.frequencies = frequencies();
+  const Index count = data_.route == SolverRoute::kModal ? results.modes.count() : 0;
+  for (std::size_t i = 0; i < data_.omega.size(); ++i)
+    if (std::optional<FrequencyResult> tried = tried_frequency(i, count))
+      results.frequencies.push_back(std::move(*tried));
   results.seas = seas();
   results.stages = stages_;
   results.warnings = warnings_;

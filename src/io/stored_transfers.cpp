@@ -105,6 +105,12 @@ void StoredTransfers::take_from_waves() {
   grid_.headings = static_cast<int>(order.size());
   grid_.solved_frequencies = static_cast<int>(results.size());
 
+  if (results.size() < data.omega.size())
+    warnings_.push_back(
+        fmt::format("{} of the {} frequencies of the run have no result; spectra are integrated "
+                    "across the gaps",
+                    data.omega.size() - results.size(), data.omega.size()));
+
   // As many headings as the response to the shortest wave has harmonics
   const double radius = 0.5 * (fluid_mesh.upper() - fluid_mesh.lower()).norm();
   const double needed = 2.0 * wave::wavenumber(grid_.omega.back(), data.water) * radius + 20.0;

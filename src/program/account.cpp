@@ -102,7 +102,10 @@ void Account::fact(const std::string& name, const std::string& text) {
 void Account::frequency(const FrequencyResult& result) {
   const FrequencyReport& report = result.report;
   const double wavelength = 2.0 * std::numbers::pi / result.wavenumber;
-  if (style_ == ProgressStyle::kJson)
+  const bool solved = report.failure.empty();
+  if (style_ == ProgressStyle::kJson && !solved)
+    print_json({{"event", "failure"}, {"omega", report.omega}, {"text", report.failure}});
+  if (style_ == ProgressStyle::kJson && solved)
     print_json({{"event", "frequency"},
                 {"omega", report.omega},
                 {"wavelength", wavelength},
@@ -114,6 +117,10 @@ void Account::frequency(const FrequencyResult& result) {
                 {"seconds", report.seconds}});
   if (!table_open_) line(kTableHead);
   table_open_ = true;
+  if (!solved) {
+    line(fmt::format("{:8.4g}  {:10.4g}   no result", report.omega, wavelength));
+    return;
+  }
   line(fmt::format("{:8.4g}  {:10.4g}  {:>7}  {:8.1e}  {:11.1e}  {:8.1e}  {:>6}", report.omega,
                    wavelength, report.method, report.true_residual, report.reciprocity_error,
                    report.energy_error, format_duration(report.seconds)));

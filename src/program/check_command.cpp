@@ -112,7 +112,7 @@ void check_case(const RunOptions& options) {
   account.show_warnings();
 
   // Refuse what a run would refuse
-  require_fit(data, fluid.mesh, own);
+  require_fit(data, fluid.mesh, own, regions);
   require_resolution(data, found);
   require_budget(needed, budget);
   const SeaBand band = prepare_seas(data, fluid.mesh, own, regions, account);

@@ -22,7 +22,9 @@ std::string list_frequencies(const std::vector<double>& omega) {
 
 std::string describe_missing(const io::Exported& exported) {
   std::string text;
-  if (!exported.missing.empty())
+  if (!exported.unsolved.empty())
+    text = exported.unsolved;
+  else if (!exported.missing.empty())
     text = fmt::format("{} of {} frequencies are not solved: {} rad/s", exported.missing.size(),
                        exported.planned, list_frequencies(exported.missing));
   if (exported.seas_missing) text += text.empty() ? "the seas are not done" : "; nor are the seas";

@@ -81,7 +81,7 @@ class ToldStore final : public Store {
 
   void frequency(const FrequencyResult& result) override {
     store_.frequency(result);
-    ++finished_;
+    if (result.report.failure.empty()) ++finished_;
     account_.frequency(result);
     stop_if_asked();
   }
@@ -146,13 +146,6 @@ std::filesystem::path output_of(const RunOptions& options) {
   return options.case_file.stem().string() + ".out";
 }
 
-// As the earlier run planned, or what was asked for, or else what there is now
-double plan_memory_for(const RunOptions& options, const io::DirectoryStore& store) {
-  if (store.earlier_plan_memory() > 0.0) return store.earlier_plan_memory();
-  return options.memory > 0.0 ? options.memory
-                              : numeric::memory_budget(0.0, numeric::memory_limits());
-}
-
 }  // namespace
 
 std::string counted(Index count, const std::string& what) {
@@ -193,7 +186,7 @@ void run_case(const RunOptions& options) {
   io::DirectoryStore store(output_of(options), options.fresh    ? io::Existing::kReplace
                                                : options.resume ? io::Existing::kResume
                                                                 : io::Existing::kRefuse);
-  data.plan_memory = plan_memory_for(options, store);
+  data.plan_memory = store.earlier_plan_memory();
 
   if (!store.locks())
     account.warning(store.directory().string() +

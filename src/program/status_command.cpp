@@ -12,7 +12,10 @@ using Json = nlohmann::ordered_json;
 using Part = io::RunState::Part;
 
 const char* name_of(Part part) {
-  return part == Part::kDone ? "done" : part == Part::kDamaged ? "damaged" : "open";
+  return part == Part::kDone      ? "done"
+         : part == Part::kDamaged ? "damaged"
+         : part == Part::kFailed  ? "failed"
+                                  : "open";
 }
 
 std::string state_of(const io::RunState& state) {
@@ -29,6 +32,7 @@ Json json_of(const io::RunState& state) {
       entry["seconds"] = one.seconds;
       entry["true_residual"] = one.true_residual;
     }
+    if (one.part == Part::kFailed) entry["failure"] = one.failure;
     frequencies.push_back(entry);
   }
   Json seas = nullptr;
@@ -55,7 +59,8 @@ void tell_frequencies(const io::RunState& state, Account& account) {
     account.info(one.part == Part::kDone
                      ? fmt::format("{:8.4g}  {:>7}  {:>6}  {:8.1e}", one.omega, name_of(one.part),
                                    format_duration(one.seconds), one.true_residual)
-                     : fmt::format("{:8.4g}  {:>7}", one.omega, name_of(one.part)));
+                     : fmt::format("{:8.4g}  {:>7}{}{}", one.omega, name_of(one.part),
+                                   one.failure.empty() ? "" : "  ", one.failure));
   account.info("");
 }
 

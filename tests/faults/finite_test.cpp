@@ -1,6 +1,6 @@
 #include "fabricated_results.hpp"
 #include "finite_checks.hpp"
-#include "name_frequency.hpp"
+#include "second_try.hpp"
 
 #include <floe/mesh/rectangle.hpp>
 #include <floe/numeric/error.hpp>
@@ -66,13 +66,12 @@ TEST(Finite, HoldsForTheStatesOfSeas) {
   }
 }
 
-TEST(NameFrequency, TellsItAndWhereTheMeshIsCoarse) {
+TEST(ThrowAtFrequency, TellsItAndWhereTheMeshIsCoarse) {
   const mesh::Q8Mesh mesh = mesh::make_rectangle(
       {.length = 60.0, .width = 12.0, .nx = 20, .ny = 4});  // nodes 1.5 m apart
-  const wave::Water water;
   const auto message = [&](double omega) -> std::string {
     try {
-      name_frequency(omega, water, mesh, []() -> int { throw ConvergenceError("it failed"); });
+      throw_at_frequency(ConvergenceError("it failed"), omega, Case{}, mesh);
     } catch (const ConvergenceError& error) {
       return error.what();
     }
@@ -83,7 +82,6 @@ TEST(NameFrequency, TellsItAndWhereTheMeshIsCoarse) {
   EXPECT_EQ(message(4.0),
             "omega = 4 rad/s: it failed; the mesh has 2.6 nodes per wavelength (refine it, 6 are "
             "enough)");
-  EXPECT_EQ(name_frequency(1.0, water, mesh, [] { return 3; }), 3);
 }
 
 }  // namespace

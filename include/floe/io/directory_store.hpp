@@ -20,8 +20,8 @@ enum class Existing {
 /// Results as files in one directory: CSV tables, node fields for ParaView, `run.json`, and under
 /// `records/` what a later command needs of them (StoredRun reads it back). Tables grow
 /// in temporary files beside their names and appear complete. `run.json` is there from the
-/// beginning, lists all files of the run and says its status: "running", "complete", or why it
-/// stopped.
+/// beginning, lists all files of the run and says its status: "running", "complete", "failed" where
+/// frequencies could not be solved, or why it stopped.
 class DirectoryStore final : public Store {
  public:
   /// Makes the directory (not its parents), locks it and looks at what it holds; writes nothing
@@ -69,6 +69,7 @@ class DirectoryStore final : public Store {
 
   /// Ends a run that did not come to `finish`: keeps the products of all finished frequencies and
   /// writes `status` to `run.json`; with no frequency finished, removes what the run had written.
+  /// Nothing after `finish`.
   void stop(const std::string& status);
 
   /// Files of the run so far, relative to the directory.

@@ -11,7 +11,8 @@ struct Exported {
   std::vector<std::string> files;  ///< all files of the run, relative to its directory
   std::size_t planned = 0;         ///< frequencies of the case, or of the shard
   std::vector<double> missing;     ///< those that were not finished [rad/s]
-  bool seas_missing = false;       ///< seas are asked for and not finished
+  std::string unsolved;  ///< describe_unsolved of those that could not be solved, also `missing`
+  bool seas_missing = false;  ///< seas are asked for and not finished
   /// Spectra of all nodes are asked for and not there; records do not hold them.
   bool node_spectra_missing = false;
   bool complete() const { return missing.empty() && !seas_missing; }

@@ -11,12 +11,13 @@ namespace floe::io {
 
 /// How far a run is, as its directory tells.
 struct RunState {
-  enum class Part { kDone, kOpen, kDamaged };
+  enum class Part { kDone, kOpen, kFailed, kDamaged };
   struct Frequency {
     double omega = 0.0;  ///< [rad/s]
     Part part = Part::kOpen;
     double seconds = 0.0;        ///< wall time; 0 unless done
     double true_residual = 0.0;  ///< 0 unless done
+    std::string failure = {};    ///< why it failed
   };
 
   std::string title;

@@ -43,8 +43,14 @@ class StoredRun {
   /// Whether the one of that place in data().omega was finished; it, with its fields.
   bool has_frequency(std::size_t place) const;
   FrequencyResult frequency(std::size_t place) const;
+  /// Why the one of that place could not be solved; "" where it was, or was not tried.
+  std::string failure(std::size_t place) const;
+  /// The same with `unsolved_frequency` where it could not be solved; nothing where it was not
+  /// tried. `mode_count` is that of `modes()`, 0 on the direct route.
+  std::optional<FrequencyResult> tried_frequency(std::size_t place, Index mode_count) const;
   std::vector<SeaResult> seas() const;
-  RunResults results() const;  ///< all of these, without transfer functions and notices
+  /// All of these, frequencies as far as they were tried; without transfer functions and notices.
+  RunResults results() const;
 
   /// Whether transfer functions for seas are there.
   bool has_transfers() const;
