@@ -1,8 +1,7 @@
 #include "analysis_stages.hpp"
 #include "finite_checks.hpp"
+#include "solution_checks.hpp"
 
-#include <floe/bem/residual_between_nodes.hpp>
-#include <floe/bem/sampled_residual.hpp>
 #include <floe/coupling/modal_equation.hpp>
 #include <floe/hydro/surface_integrals.hpp>
 #include <floe/hydro/wave_field.hpp>
@@ -140,43 +139,6 @@ void add_wave_elevation(const Case& data, const FluidModel& fluid, const green::
                                                 fluid.wave_points, incident, pressure);
 }
 
-namespace {
-
-// What the highest modes change at some of the nodes
-double mode_change(const Case& data, const PlateModel& plate, const FluidModel& fluid,
-                   const hydro::Radiation& radiation, const FrequencyResult& result) {
-  constexpr Index kNodes = 2000;
-  const Index stride = 1 + fluid.deflection.rows() / kNodes;
-  const MatXd shape = fluid.deflection(
-      Eigen::seqN(Index{0}, (fluid.deflection.rows() + stride - 1) / stride, stride), Eigen::all);
-  return coupling::change_by_last_modes(plate.modes, data.plate.loss_factor, result.omega,
-                                        radiation.fluid_matrix, result.exciting_force,
-                                        result.amplitudes, shape);
-}
-
-// What the solution of the radiation problems and the number of modes are worth
-void judge(const Case& data, const PlateModel& plate, const FluidModel& fluid,
-           const green::GreenTable& green, const hydro::Radiation& radiation,
-           FrequencyResult& result) {
-  FrequencyReport& report = result.report;
-  report.iterations = static_cast<int>(radiation.work.iterations);
-  report.applications = radiation.work.applications;
-  report.true_residual = radiation.true_residual;
-  report.kernel_error = green.sampled_error(200);
-  report.reciprocity_error = hydro::reciprocity_error(radiation, result.omega);
-  report.passivity_error = hydro::passivity_error(radiation);
-  const MatXcd known = -data.water.density * data.water.gravity * fluid.deflection.cast<Complex>();
-  report.exact_residual =
-      fluid.operators.method == SolverMethod::kDense  // which is the exact operator
-          ? radiation.true_residual
-          : bem::sampled_residual(fluid.integrals, green, radiation.pressure, known);
-  report.residual_between_nodes =
-      bem::residual_between_nodes(fluid.integrals, green, radiation.pressure, known);
-  report.mode_change = mode_change(data, plate, fluid, radiation, result);
-}
-
-}  // namespace
-
 // The residual that a solution must have. A direct one is good to rounding times the condition
 // number, which stays below 1e4
 double residual_limit(const Case& data, const FluidModel& fluid) {
@@ -209,10 +171,6 @@ FrequencyResult solve_frequency(const Case& data, const PlateModel& plate, const
         hydro::wave_loads(fluid.integrals.mesh(), result.wavenumber, fluid.heading);
     result.exciting_force = hydro::exciting_forces(radiation.pressure, loads);
     result.froude_krylov_force = hydro::froude_krylov_forces(fluid.deflection, loads, data.water);
-    result.report.energy_error = hydro::energy_error(
-        radiation,
-        hydro::radiated_damping(radiation.pressure, fluid.integrals.mesh(), omega, data.water),
-        omega);
   });
 
   // Couple plate and fluid, read off the response
@@ -227,7 +185,11 @@ FrequencyResult solve_frequency(const Case& data, const PlateModel& plate, const
   result.added_mass = radiation.added_mass;
   result.damping = radiation.damping;
   result.report.method = pressure_operator->method();
-  clock.time("self-checks", [&] { judge(data, plate, fluid, green, radiation, result); });
+  clock.time("self-checks", [&] {
+    judge_radiation(data, fluid, green, radiation, radiation.pressure, result.report);
+    result.report.mode_change = change_by_modes(data, plate, fluid, omega, radiation.fluid_matrix,
+                                                result.exciting_force, result.amplitudes);
+  });
   require_finite(result);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   result.report.seconds = elapsed.count();

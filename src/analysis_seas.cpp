@@ -19,7 +19,6 @@ using response::Quantity;
 constexpr double kFirstStep = 0.04;   // [rad/s], for 300 m of length
 constexpr double kFinestStep = 0.01;  // of the spectra, for 300 m
 constexpr double kReferenceLength = 300.0;
-constexpr int kProbeHeadings = 24;
 
 int time_derivative(Quantity quantity) {
   if (quantity == Quantity::kVelocity) return 1;
@@ -105,6 +104,14 @@ SeaTransfer transfer_of(const SeaFluid& waves, const FluidSample& sample, int he
   return transfer;
 }
 
+// Of the sea that has the largest share of its energy at this frequency, relative to its m0
+double largest_density(const Case& data, double omega) {
+  double largest = data.seas.empty() ? 1.0 : 0.0;
+  for (const wave::SeaState& sea : data.seas)
+    largest = std::max(largest, sea.density(omega) / sea.m0());
+  return largest;
+}
+
 // How much the responses to two candidates differ, for each quantity and the deflection as a whole
 // relative to the largest response so far, both in the sea: what neither wave nor plate has energy
 // in needs no accuracy
@@ -126,7 +133,7 @@ class ResponseDifference {
     const MatXcd one = waves_.states(a, kProbeHeadings);
     const MatXcd other = waves_.states(b, kProbeHeadings);
     const Index modes = observed_.nodes.cols(), points = static_cast<Index>(data_.points.size());
-    const double wave = std::sqrt(density(a.omega));
+    const double wave = std::sqrt(largest_density(data_, a.omega));
     double worst = compare(0, wave, one.topRows(modes), other.topRows(modes));
     if (points == 0) return worst;
     const MatXcd seen = observed_.points.cast<Complex>() * one;
@@ -141,13 +148,6 @@ class ResponseDifference {
   }
 
  private:
-  double density(double omega) const {
-    double largest = data_.seas.empty() ? 1.0 : 0.0;
-    for (const wave::SeaState& sea : data_.seas)
-      largest = std::max(largest, sea.density(omega) / sea.m0());
-    return largest;
-  }
-
   double compare(std::size_t place, double scale, const Eigen::Ref<const MatXcd>& one,
                  const Eigen::Ref<const MatXcd>& other) {
     largest_[place] = std::max(largest_[place], scale * one.norm());
@@ -180,11 +180,11 @@ NodeSpectrumSink sink_of(const Case& data, std::size_t frequency, Store& store) 
 
 // What a later run needs to go on at the frequency `next`
 SeaMarch state_of(const FluidMarch& march, const ResponseDifference& difference,
-                  const SeaFluid& waves, std::size_t next) {
+                  const std::vector<SolvedSeaFrequency>& solved, std::size_t next) {
   SeaMarch state = march.state();
   state.next = next;
   state.largest_response = difference.largest();
-  state.pressure_error = waves.pressure_error();
+  state.all_solved = solved;
   return state;
 }
 
@@ -219,10 +219,13 @@ void solve_seas(const Case& data, const SeaBand& band, const PlateModel& plate, 
   // Prepare what is observed, from where and at which frequencies
   const mesh::Q8Mesh& mesh = fluid.integrals.mesh();
   const double length = std::max(kReferenceLength / 10.0, mesh.size());
-  SeaFluid waves = clock.time("seas: influences", [&] { return SeaFluid(data, plate, fluid); });
+  const SeaFluid waves =
+      clock.time("seas: influences", [&] { return SeaFluid(data, plate, fluid); });
   const SeaObservation observation = observe(data, plate, fluid, waves);
   const MatXd zones = all_zone_amplitudes(data.seas, mesh);
-  SeaGridReport grid{fine_frequencies(data, band, length), circle_headings(data, mesh, band.to)};
+  SeaGridReport grid;
+  grid.omega = fine_frequencies(data, band, length);
+  grid.headings = circle_headings(data, mesh, band.to);
   SeaStatistics statistics(data.seas, observation, grid.omega, grid.headings, data.relations);
   const std::optional<SeaMarch> earlier = store.known_sea_march();
   store.begin_seas(observation, grid);
@@ -231,17 +234,19 @@ void solve_seas(const Case& data, const SeaBand& band, const PlateModel& plate, 
   ResponseDifference difference(data, waves, observation);
   if (earlier) {
     difference.remember(earlier->largest_response);
-    waves.remember_pressure_error(earlier->pressure_error);
+    grid.solved = earlier->all_solved;
   }
   const auto solve = [&](int number, double omega) {
     if (std::optional<FluidSample> known = store.known_sea_sample(number))
       if (known->omega == omega) {
-        waves.remember_pressure_error(known->pressure_error);
+        grid.solved.push_back(known->solved);
         return std::move(*known);
       }
     FluidSample sample = clock.time("seas: radiation", [&] {
       return solve_or_retry(data, fluid, omega, log, [&] { return waves.solve(omega); });
     });
+    sample.solved.response *= std::sqrt(largest_density(data, omega));
+    grid.solved.push_back(sample.solved);
     store.sea_sample(number, sample);
     return sample;
   };
@@ -273,14 +278,15 @@ void solve_seas(const Case& data, const SeaBand& band, const PlateModel& plate, 
       statistics.add(transfer, sink_of(data, i, store));
     });
     if (march.solved() == kept) continue;
-    store.sea_march(state_of(march, difference, waves, i + 1));
+    store.sea_march(state_of(march, difference, grid.solved, i + 1));
     kept = march.solved();
   }
 
   // Tell the statistics, and how they came about
   grid.interpolation_error = march.largest_error();
   grid.solved_frequencies = march.solved();
-  grid.pressure_error = waves.pressure_error();
+  for (const SolvedSeaFrequency& one : grid.solved)
+    grid.pressure_error = std::max(grid.pressure_error, one.pressure_error);
   tell_results(statistics, grid, data, log, store);
   store.end_seas(grid);
 }

@@ -78,7 +78,8 @@ StageEstimate estimate_plate(const Sizes& s, const FluidWork& work) {
   const double factor = 31.0 * unknowns * std::log2(std::max(2.0, unknowns)) / 4.0;
   double seconds = 0.0;
   for (const double length : work.lengths) {
-    const double applications = work.columns * applications_a_column(length, work.columns);
+    const double applications =
+        work.columns * applications_a_column(length, work.columns, work.tolerance);
     seconds +=
         (kAssembling * 400.0 * std::pow(unknowns, 1.5) / 4.0 + 2.0 * applications * 4.0 * factor) /
             kSparseRate +
@@ -160,7 +161,8 @@ KrylovPlan plan_krylov(const Case& data, const mesh::Q8Mesh& mesh) {
   // many directions as expected: blocks of fewer columns need twice the applications
   double longest = 0.0;
   for (const double length : work.lengths) longest = std::max(longest, length);
-  const double expected = std::ceil(1.4 * applications_a_column(longest, work.columns)) + 2.0;
+  const double expected =
+      std::ceil(1.4 * applications_a_column(longest, work.columns, work.tolerance)) + 2.0;
   const double column = 16.0 * work.nodes * work.columns;
   const auto need = [&](double steps, bool in_float) {
     return ((in_float ? 0.5 : 1.0) * steps + krylov::kScratchColumns + 1.0) * column;
@@ -209,8 +211,9 @@ Estimate estimate(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Mesh
                      ? "a coarser mesh, fewer modes, a larger --memory"
                      : "a coarser mesh, fewer modes, --memory, with which less is planned for";
 
-  // Mode shapes and the mesh live through all stages
-  const double shared = kBytesOfProgram + 8.0 * 3.0 * s.nodes * s.modes + 300.0 * s.elements;
+  // Mode shapes, on the plate's and the fluid's nodes, and the mesh live through all stages
+  const double shared =
+      kBytesOfProgram + 8.0 * (3.0 * s.plate_nodes + 4.0 * s.nodes) * s.modes + 300.0 * s.elements;
   for (const StageEstimate& stage : needed.stages) {
     needed.memory = std::max(needed.memory, shared + stage.memory);
     needed.seconds += stage.seconds;

@@ -77,8 +77,9 @@ FluidWork fluid_work(const Case& data, const mesh::Q8Mesh& mesh) {
   return work;
 }
 
-double applications_a_column(double length, double columns) {
-  return (4.8 + 0.041 * length) * std::pow(30.0 / std::max(1.0, columns), 0.45);
+double applications_a_column(double length, double columns, double tolerance) {
+  const double sharing = std::pow(30.0 / std::max(1.0, columns), columns < 30.0 ? 0.45 : 0.2);
+  return (4.8 + 0.041 * length) * sharing * std::log10(std::min(0.1, tolerance)) / -6.0;
 }
 
 bool has_cheaper_steps(SolverMethod method, double tolerance) {
@@ -87,13 +88,17 @@ bool has_cheaper_steps(SolverMethod method, double tolerance) {
 }
 
 double krylov_memory(const KrylovPlan& plan, const FluidWork& work) {
-  double columns = 0.0;
-  for (const double length : work.lengths)
-    columns =
-        std::max(columns, work.columns * (applications_a_column(length, work.columns) *
-                                              (plan.in_float ? 0.5 * kCheaperStepsMore : 1.0) +
-                                          krylov::kScratchColumns));
-  return std::min(plan.memory, 16.0 * work.nodes * columns);
+  constexpr double kProducts = 3.0;  // square matrices of the directions' products
+  double longest = 0.0;
+  for (const double length : work.lengths) longest = std::max(longest, length);
+  const double column = 16.0 * work.nodes, kept = plan.in_float ? 0.5 : 1.0;
+  const double directions =
+      std::min(work.columns * applications_a_column(longest, work.columns, work.tolerance) *
+                   (plan.in_float ? kCheaperStepsMore : 1.0),
+               plan.memory / (kept * column));
+  return std::min(plan.memory,
+                  column * (kept * directions + krylov::kScratchColumns * work.columns)) +
+         kProducts * 16.0 * directions * directions;
 }
 
 bool gains_by_single_precision(SolverMethod method, double tolerance) {
@@ -111,8 +116,8 @@ FluidCost fluid_cost(SolverMethod method, const FluidWork& work) {
     seconds += rates.setup;
     for (const double columns : {work.columns, work.later_columns}) {
       if (columns == 0.0) continue;
-      const double directions =
-          columns * applications_a_column(length, columns) * (cheaper ? kCheaperStepsMore : 1.0);
+      const double directions = columns * applications_a_column(length, columns, work.tolerance) *
+                                (cheaper ? kCheaperStepsMore : 1.0);
       seconds += directions * application + (cheaper ? kPasses : 1.0) * columns * rates.check +
                  kOrthogonalising * directions * directions + kReadingOff * columns;
     }

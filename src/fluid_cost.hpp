@@ -26,10 +26,10 @@ struct FluidCost {
   double seconds = 0.0;  ///< of one thread, all frequencies
 };
 
-/// Steps' applications a column to 1e-6: with the length of the plates in waves, and more the fewer
-/// columns share a space. Measured from kL = 31 to 240 and from 1 to 100 columns, see
-/// docs/theory/solver.md.
-double applications_a_column(double length, double columns);
+/// Steps' applications a column: with the length of the plates in waves, the digits asked for, and
+/// more the fewer columns share a space. Measured from kL = 31 to 240 and from 1 to 150 columns,
+/// see docs/theory/solver.md.
+double applications_a_column(double length, double columns, double tolerance);
 
 /// Whether the steps go with cheaper sums, the residual with accurate ones (S.8): on general meshes
 /// where the tolerance asked for needs accurate ones.

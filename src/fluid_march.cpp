@@ -93,7 +93,8 @@ FluidSample FluidMarch::interpolate(double omega, Index first) const {
   const FluidSample& origin = samples_[static_cast<std::size_t>(first)];
   FluidSample result{.omega = omega,
                      .pressure = weights[0] * origin.pressure,
-                     .fluid_matrix = weights[0] * origin.fluid_matrix};
+                     .fluid_matrix = weights[0] * origin.fluid_matrix,
+                     .solved = {}};
   for (Index i = 1; i < kCubic; ++i) {
     const FluidSample& sample = samples_[static_cast<std::size_t>(first + i)];
     result.pressure += weights[static_cast<std::size_t>(i)] * sample.pressure;

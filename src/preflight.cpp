@@ -215,6 +215,17 @@ Preflight preflight(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Me
   return found;
 }
 
+std::vector<Resolution> sea_resolution(const Case& data,
+                                       const std::vector<SolvedSeaFrequency>& solved,
+                                       const mesh::Q8Mesh& mesh, const mesh::Q8Mesh* plate_mesh,
+                                       const plate::PlateRegions* regions) {
+  if (solved.empty()) return {};
+  Case seas = data;
+  seas.omega.clear();
+  for (const SolvedSeaFrequency& one : solved) seas.omega.push_back(one.report.omega);
+  return preflight(seas, mesh, plate_mesh, regions).resolution;
+}
+
 void require_resolution(const Case& data, const Preflight& found) {
   double least = std::numeric_limits<double>::infinity();
   const std::string hopeless = name_coarse(found.resolution, kNodesAtLeast, least);

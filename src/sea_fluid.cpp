@@ -1,5 +1,7 @@
 #include "sea_fluid.hpp"
 
+#include "solution_checks.hpp"
+
 #include <floe/coupling/modal_equation.hpp>
 #include <floe/hydro/point_pressure.hpp>
 #include <floe/hydro/surface_integrals.hpp>
@@ -60,7 +62,7 @@ SeaFluid::SeaFluid(const Case& data, const PlateModel& plate, const FluidModel& 
       section_forces_(influence_.constant.cols()),
       pressures_(points_.cols()) {}
 
-FluidSample SeaFluid::solve(double omega) {
+FluidSample SeaFluid::solve(double omega) const {
   const double nu = wave::deep_wavenumber(omega, data_.water);
   const green::GreenTable green(green::GreenFunction(nu, data_.water.depth), fluid_.reach);
   const auto pressure_operator = make_operator(data_, fluid_, green);
@@ -71,10 +73,35 @@ FluidSample SeaFluid::solve(double omega) {
                              data_.water, residual_limit(data_, fluid_));
   FluidSample sample{.omega = omega,
                      .pressure = std::move(radiation.pressure),
-                     .fluid_matrix = std::move(radiation.fluid_matrix)};
+                     .fluid_matrix = std::move(radiation.fluid_matrix),
+                     .solved = {}};
+  sample.solved.report.omega = omega;
+  sample.solved.report.method = pressure_operator->method();
+  judge(green, radiation, sample);
   if (pressures_ > 0) add_point_pressures(*pressure_operator, green, sample);
-  remember_pressure_error(sample.pressure_error);
   return sample;
+}
+
+// The modes alone: they are what the results are made of
+void SeaFluid::judge(const green::GreenTable& green, const hydro::Radiation& radiation,
+                     FluidSample& sample) const {
+  hydro::Radiation of_modes;
+  of_modes.fluid_matrix = sample.fluid_matrix.topLeftCorner(modes_, modes_);
+  of_modes.added_mass = radiation.added_mass.topLeftCorner(modes_, modes_);
+  of_modes.damping = radiation.damping.topLeftCorner(modes_, modes_);
+  of_modes.true_residual = radiation.true_residual;
+  of_modes.work = radiation.work;
+  const auto pressure = sample.pressure.leftCols(modes_);
+  FrequencyReport& report = sample.solved.report;
+  judge_radiation(data_, fluid_, green, of_modes, pressure, report);
+  const MatXcd force = -hydro::full_circle_transform(fluid_.integrals.mesh(),
+                                                     wave::wavenumber(sample.omega, data_.water),
+                                                     kProbeHeadings, pressure);
+  const MatXcd amplitudes = coupling::modal_amplitudes(plate_.modes, data_.plate.loss_factor,
+                                                       sample.omega, of_modes.fluid_matrix, force);
+  report.mode_change = change_by_modes(data_, plate_, fluid_, sample.omega, of_modes.fluid_matrix,
+                                       force, amplitudes);
+  sample.solved.response = amplitudes.norm();
 }
 
 // Their influences as further columns, and what they are worth
@@ -96,7 +123,8 @@ void SeaFluid::add_point_pressures(const bem::PressureOperator& pressure_operato
       hydro::solve_diffraction(pressure_operator,
                                hydro::incident_elevation(mesh.nodes(), wavenumber, heading),
                                data_.water, limit);
-  sample.pressure_error = (own - direct).cwiseAbs().maxCoeff() / direct.cwiseAbs().maxCoeff();
+  sample.solved.pressure_error =
+      (own - direct).cwiseAbs().maxCoeff() / direct.cwiseAbs().maxCoeff();
   sample.pressure.conservativeResize(Eigen::NoChange, state_size());
   sample.pressure.rightCols(pressures_) = influence;
 }

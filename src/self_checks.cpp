@@ -59,6 +59,24 @@ SelfCheck fewest_nodes(const std::vector<Resolution>& resolution) {
   return check;
 }
 
+std::vector<FrequencyReport> all_solved(const std::vector<FrequencyReport>& waves,
+                                        const std::vector<SolvedSeaFrequency>& seas) {
+  std::vector<FrequencyReport> reports;
+  std::copy_if(waves.begin(), waves.end(), std::back_inserter(reports),
+               [](const FrequencyReport& report) { return report.failure.empty(); });
+  double largest = 0.0;
+  for (const SolvedSeaFrequency& one : seas) largest = std::max(largest, one.response);
+  for (const SolvedSeaFrequency& one : seas) {
+    const double share = largest > 0.0 ? one.response / largest : 1.0;
+    reports.push_back(one.report);
+    for (double FrequencyReport::*cost :
+         {&FrequencyReport::reciprocity_error, &FrequencyReport::energy_error,
+          &FrequencyReport::mode_change, &FrequencyReport::passivity_error})
+      reports.back().*cost *= share;
+  }
+  return reports;
+}
+
 // The direct route has no modes
 void add_modal_checks(const Case& data, const plate::DryModes& modes,
                       const std::vector<FrequencyReport>& reports, std::vector<SelfCheck>& checks) {
@@ -109,10 +127,9 @@ double exact_residual_limit(double tolerance) {
 
 std::vector<SelfCheck> self_checks(const Case& data, const std::vector<Resolution>& resolution,
                                    const plate::DryModes& modes,
-                                   const std::vector<FrequencyReport>& all) {
-  std::vector<FrequencyReport> reports;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(reports),
-               [](const FrequencyReport& report) { return report.failure.empty(); });
+                                   const std::vector<FrequencyReport>& waves,
+                                   const std::vector<SolvedSeaFrequency>& seas) {
+  const std::vector<FrequencyReport> reports = all_solved(waves, seas);
   if (reports.empty()) return {};
   using Report = FrequencyReport;
   const bool modal = data.route == SolverRoute::kModal;

@@ -47,6 +47,12 @@ Preflight preflight(const Case& data, const mesh::Q8Mesh& mesh,
                     const mesh::Q8Mesh* plate_mesh = nullptr,
                     const plate::PlateRegions* regions = nullptr);
 
+/// The same of the frequencies that were solved for the seas; the meshes and the regions as above.
+std::vector<Resolution> sea_resolution(const Case& data,
+                                       const std::vector<SolvedSeaFrequency>& solved,
+                                       const mesh::Q8Mesh& mesh, const mesh::Q8Mesh* plate_mesh,
+                                       const plate::PlateRegions* regions);
+
 /// Throws InputError when a frequency has fewer than 2 nodes a wavelength and the case does not
 /// allow it, or fewer than 0.1.
 void require_resolution(const Case& data, const Preflight& found);

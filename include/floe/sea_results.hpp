@@ -1,5 +1,6 @@
 #pragma once
 
+#include <floe/frequency_report.hpp>
 #include <floe/numeric/types.hpp>
 #include <floe/wave/sea_state.hpp>
 
@@ -70,13 +71,21 @@ struct SeaTransfer {
   std::vector<MatXcd> zone_states = {};
 };
 
+/// A frequency that was solved for the seas, and what its solution is worth.
+struct SolvedSeaFrequency {
+  FrequencyReport report;       ///< of the modes' radiation; no wall time
+  double pressure_error = 0.0;  ///< of the pressures at points by (R.4), relative to the largest
+  /// ‖ξ‖ of waves of one metre from all around, times the root of the density of the sea that has
+  /// the largest share of its energy there: the weight of this frequency in the seas.
+  double response = 0.0;
+};
+
 /// Radiation pressures and fluid matrix of one frequency, from which the fluid at others is told.
 struct FluidSample {
   double omega = 0.0;   ///< [rad/s]
   MatXcd pressure;      ///< p_i, N × (q + m)
   MatXcd fluid_matrix;  ///< P, (q + m) × (q + m)
-  /// Of the pressures at points by (R.4), relative to the largest.
-  double pressure_error = 0.0;
+  SolvedSeaFrequency solved;
 };
 
 /// How far the seas have come: the transfer functions that are done, and what the way to the next
@@ -89,7 +98,7 @@ struct SeaMarch {
   double largest_error = 0.0;            ///< (E.10) over the intervals done
   std::vector<int> samples;              ///< numbers of the samples that are needed, by rising ω
   std::vector<double> largest_response;  ///< one a quantity and the deflection as a whole
-  double pressure_error = 0.0;           ///< largest of all samples so far
+  std::vector<SolvedSeaFrequency> all_solved;  ///< all samples so far, in their order
 };
 
 /// How the transfer functions between the solved frequencies came about.
@@ -98,7 +107,8 @@ struct SeaGridReport {
   int headings = 0;                  ///< on the full circle
   double interpolation_error = 0.0;  ///< largest (E.10) of an interval
   int solved_frequencies = 0;
-  double pressure_error = 0.0;  ///< of a pressure at a point by (R.4), relative to the largest
+  double pressure_error = 0.0;             ///< largest of a pressure at a point by (R.4), relative
+  std::vector<SolvedSeaFrequency> solved;  ///< in the order in which they were solved
 };
 
 /// Of one of SeaRelations::pairs.

@@ -57,9 +57,12 @@ double exact_residual_limit(double tolerance);
 /// Residual of the fluid's equation, the same by the exact operator, error of the Green function's
 /// table, symmetry of the fluid matrix, radiated energy, damping without a negative eigenvalue,
 /// orthonormal modes, rigid modes without force, nodes a wavelength. Of the frequencies that
-/// were solved; empty without one.
+/// were solved; empty without one. Those of `seas` count too: what the mesh and the modes cost
+/// there by its share of the largest response in them, for nothing needs accuracy where there is no
+/// energy. `resolution` is of all of them.
 std::vector<SelfCheck> self_checks(const Case& data, const std::vector<Resolution>& resolution,
                                    const plate::DryModes& modes,
-                                   const std::vector<FrequencyReport>& all);
+                                   const std::vector<FrequencyReport>& waves,
+                                   const std::vector<SolvedSeaFrequency>& seas);
 
 }  // namespace floe

@@ -99,9 +99,14 @@ std::vector<SelfCheck> checks_of(const RunResults& results) {
   std::vector<FrequencyReport> reports;
   for (const FrequencyResult& result : results.frequencies) reports.push_back(result.report);
   const plate::PlateRegions regions = plate_regions(results.data);
-  const Preflight found = preflight(results.data, *results.fluid_mesh, nullptr,
-                                    results.data.plate_mesh.empty() ? &regions : nullptr);
-  return self_checks(results.data, found.resolution, results.modes, reports);
+  const plate::PlateRegions* const known = results.data.plate_mesh.empty() ? &regions : nullptr;
+  std::vector<Resolution> resolution =
+      preflight(results.data, *results.fluid_mesh, nullptr, known).resolution;
+  const std::vector<SolvedSeaFrequency>& seas = results.sea_grid.solved;
+  const std::vector<Resolution> of_seas =
+      sea_resolution(results.data, seas, *results.fluid_mesh, nullptr, known);
+  resolution.insert(resolution.end(), of_seas.begin(), of_seas.end());
+  return self_checks(results.data, resolution, results.modes, reports, seas);
 }
 
 py::list check_list(const std::vector<SelfCheck>& checks) {

@@ -92,8 +92,8 @@ MatXcd froude_krylov_forces(const Eigen::Ref<const MatXd>& deflection, const Mat
   return force;
 }
 
-MatXd radiated_damping(const MatXcd& radiation_pressure, const mesh::Q8Mesh& mesh, double omega,
-                       const wave::Water& water) {
+MatXd radiated_damping(const Eigen::Ref<const MatXcd>& radiation_pressure, const mesh::Q8Mesh& mesh,
+                       double omega, const wave::Water& water) {
   const double k = wave::wavenumber(omega, water);
   const double half_diagonal = 0.5 * (mesh.upper() - mesh.lower()).norm();
   const int headings = 20 + 2 * static_cast<int>(std::ceil(k * half_diagonal));

@@ -132,7 +132,7 @@ MatXcd wave_loads(const mesh::Q8Mesh& mesh, double wavenumber, std::span<const d
 }
 
 MatXcd full_circle_transform(const mesh::Q8Mesh& mesh, double wavenumber, int count,
-                             const MatXcd& field) {
+                             const Eigen::Ref<const MatXcd>& field) {
   FLOE_EXPECT(count > 0 && count % 2 == 0);
   const int order = order_for_wave(mesh, wavenumber);
   const std::vector<double> heading = full_circle(count);

@@ -139,6 +139,9 @@ void Products::begin_seas(const std::vector<wave::SeaState>& seas,
 
 void Products::end_seas(const SeaGridReport& grid) {
   account.sea_grid = grid;
+  const plate::PlateRegions regions = plate_regions(data_);
+  account.sea_resolution = sea_resolution(data_, grid.solved, *mesh_, nullptr,
+                                          data_.plate_mesh.empty() ? &regions : nullptr);
   if (seas_.empty()) return;
   for (const SeaResult& sea : seas_) {
     account.seas.push_back(summary_of(sea));
@@ -158,7 +161,11 @@ void Products::end_seas(const SeaGridReport& grid) {
 
 // What the run tells about itself, and warnings where that is not good
 void Products::check_results() {
-  account.checks = self_checks(data_, account.resolution, dry_, account.frequencies);
+  std::vector<Resolution> resolution = account.resolution;
+  const std::vector<Resolution>& of_seas = account.sea_resolution;
+  resolution.insert(resolution.end(), of_seas.begin(), of_seas.end());
+  account.checks =
+      self_checks(data_, resolution, dry_, account.frequencies, account.sea_grid.solved);
   for (const std::string& warning : warnings_of(account.checks))
     account.warnings.push_back(warning);
 }

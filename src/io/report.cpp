@@ -212,7 +212,7 @@ std::vector<SelfCheck> checks_of(const ReportContent& content) {
   std::vector<FrequencyReport> reports;
   for (const FrequencyResult& result : content.results) reports.push_back(result.report);
   return self_checks(content.data, preflight(content.data, content.mesh).resolution, content.modes,
-                     reports);
+                     reports, {});
 }
 
 Json checks_json(const ReportContent& content) {

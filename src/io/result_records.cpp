@@ -3,11 +3,14 @@
 #include <floe/numeric/error.hpp>
 
 #include <cmath>
+#include <sstream>
 #include <string>
 #include <type_traits>
 
 namespace floe::io {
 namespace {
+
+constexpr Index kSolvedRows = 13;
 
 template <typename Number>
 VecXd as_vector(const std::vector<Number>& values) {
@@ -52,6 +55,53 @@ std::vector<double> facts_of(const Record& record, const std::string& name, std:
                    "a record holds " << facts.size() << " numbers of its " << name << ", less than "
                                      << count << " (it is of another version of floe)");
   return facts;
+}
+
+// One column each, but the method
+MatXd as_table(const std::vector<SolvedSeaFrequency>& all) {
+  MatXd table(kSolvedRows, static_cast<Index>(all.size()));
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const FrequencyReport& r = all[i].report;
+    table.col(static_cast<Index>(i)) << r.omega, static_cast<double>(r.iterations),
+        static_cast<double>(r.applications), r.true_residual, r.kernel_error, r.reciprocity_error,
+        r.energy_error, r.exact_residual, r.residual_between_nodes, r.mode_change,
+        r.passivity_error, all[i].pressure_error, all[i].response;
+  }
+  return table;
+}
+
+void put_solved(const std::vector<SolvedSeaFrequency>& all, Record& record) {
+  std::string methods;
+  for (const SolvedSeaFrequency& one : all) methods += one.report.method + " ";
+  record.put("worth", as_table(all));
+  record.put("methods", methods);
+}
+
+std::vector<SolvedSeaFrequency> solved_of(const Record& record) {
+  const MatXd table = record.real("worth");
+  FLOE_VALIDATE_AS(StoreError, table.rows() == kSolvedRows || table.size() == 0,
+                   "a record's solved frequencies have no " << kSolvedRows << " numbers");
+  std::istringstream methods(record.text("methods"));
+  std::vector<SolvedSeaFrequency> all(static_cast<std::size_t>(table.cols()));
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const VecXd t = table.col(static_cast<Index>(i));
+    all[i] = {.report = {.omega = t[0],
+                         .method = {},
+                         .iterations = count_of<int>(t[1]),
+                         .applications = count_of<long>(t[2]),
+                         .true_residual = t[3],
+                         .kernel_error = t[4],
+                         .reciprocity_error = t[5],
+                         .energy_error = t[6],
+                         .exact_residual = t[7],
+                         .residual_between_nodes = t[8],
+                         .mode_change = t[9],
+                         .passivity_error = t[10]},
+              .pressure_error = t[11],
+              .response = t[12]};
+    methods >> all[i].report.method;
+  }
+  return all;
 }
 
 }  // namespace
@@ -200,8 +250,10 @@ SeaObservation observation_from(const Record& record) {
 }
 
 SeaGridReport sea_grid_from(const Record& record) {
-  return {as_list<double>(record.real("omega")), count_of<int>(record.number("headings")), 0.0, 0,
-          0.0};
+  SeaGridReport grid;
+  grid.omega = as_list<double>(record.real("omega"));
+  grid.headings = count_of<int>(record.number("headings"));
+  return grid;
 }
 
 Record record_of(const SeaGridReport& grid) {
@@ -211,6 +263,7 @@ Record record_of(const SeaGridReport& grid) {
   record.put("interpolation_error", grid.interpolation_error);
   record.put("solved_frequencies", static_cast<double>(grid.solved_frequencies));
   record.put("pressure_error", grid.pressure_error);
+  put_solved(grid.solved, record);
   return record;
 }
 
@@ -219,6 +272,7 @@ SeaGridReport finished_grid_from(const Record& record) {
   grid.interpolation_error = record.number("interpolation_error");
   grid.solved_frequencies = count_of<int>(record.number("solved_frequencies"));
   grid.pressure_error = record.number("pressure_error");
+  grid.solved = solved_of(record);
   return grid;
 }
 
@@ -243,15 +297,17 @@ Record record_of(const FluidSample& sample) {
   record.put("omega", sample.omega);
   record.put("pressure", sample.pressure);
   record.put("fluid_matrix", sample.fluid_matrix);
-  record.put("pressure_error", sample.pressure_error);
+  put_solved({sample.solved}, record);
   return record;
 }
 
 FluidSample sample_from(const Record& record) {
+  const std::vector<SolvedSeaFrequency> solved = solved_of(record);
+  FLOE_VALIDATE_AS(StoreError, solved.size() == 1, "a record's sample has no account of itself");
   return {.omega = record.number("omega"),
           .pressure = record.complex("pressure"),
           .fluid_matrix = record.complex("fluid_matrix"),
-          .pressure_error = record.number("pressure_error")};
+          .solved = solved.front()};
 }
 
 Record record_of(const SeaMarch& march) {
@@ -263,7 +319,7 @@ Record record_of(const SeaMarch& march) {
   record.put("largest_error", march.largest_error);
   record.put("samples", as_vector(march.samples));
   record.put("largest_response", as_vector(march.largest_response));
-  record.put("pressure_error", march.pressure_error);
+  put_solved(march.all_solved, record);
   return record;
 }
 
@@ -275,7 +331,7 @@ SeaMarch march_from(const Record& record) {
           .largest_error = record.number("largest_error"),
           .samples = as_list<int>(record.real("samples")),
           .largest_response = as_list<double>(record.real("largest_response")),
-          .pressure_error = record.number("pressure_error")};
+          .all_solved = solved_of(record)};
 }
 
 Record record_of(const SeaResult& result) {

@@ -5,6 +5,7 @@
 #include <floe/numeric/error.hpp>
 #include <floe/numeric/memory.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -14,6 +15,50 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::uintmax_t kLargestAccount = std::uintmax_t{256} << 20;
+
+// How fine the mesh is for the waves of one frequency
+void add_resolution(const std::vector<Resolution>& all, double omega, Json& frequency) {
+  for (const Resolution& r : all) {
+    if (r.omega != omega) continue;
+    frequency["nodes_per_wavelength"] = r.nodes_per_wavelength;
+    frequency["flexural_wavelength"] = r.flexural_wavelength;
+    frequency["nodes_per_flexural_wavelength"] = r.nodes_per_flexural_wavelength;
+  }
+}
+
+void add_worth(const FrequencyReport& report, Json& frequency) {
+  frequency["method"] = report.method;
+  frequency["iterations"] = report.iterations;
+  frequency["applications"] = report.applications;
+  frequency["true_residual"] = report.true_residual;
+  frequency["kernel_error"] = report.kernel_error;
+  frequency["reciprocity_error"] = report.reciprocity_error;
+  frequency["energy_error"] = report.energy_error;
+  frequency["exact_residual"] = report.exact_residual;
+  frequency["residual_between_nodes"] = report.residual_between_nodes;
+  frequency["mode_change"] = report.mode_change;
+  frequency["passivity_error"] = report.passivity_error;
+}
+
+// The frequencies that were solved for the seas, by rising ω
+Json solved_json(const RunAccount& account) {
+  std::vector<SolvedSeaFrequency> all = account.sea_grid.solved;
+  std::sort(all.begin(), all.end(), [](const SolvedSeaFrequency& a, const SolvedSeaFrequency& b) {
+    return a.report.omega < b.report.omega;
+  });
+  double largest = 0.0;
+  for (const SolvedSeaFrequency& one : all) largest = std::max(largest, one.response);
+  Json solved = Json::array();
+  for (const SolvedSeaFrequency& one : all) {
+    Json entry = {{"omega", one.report.omega},
+                  {"share_of_response", largest > 0.0 ? one.response / largest : 0.0}};
+    add_worth(one.report, entry);
+    if (one.pressure_error > 0.0) entry["pressure_error"] = one.pressure_error;
+    add_resolution(account.sea_resolution, one.report.omega, entry);
+    solved.push_back(entry);
+  }
+  return solved;
+}
 
 // What the seas' frequencies are worth, and what of each sea was left out
 Json sea_results_json(const RunAccount& account) {
@@ -41,6 +86,7 @@ Json sea_results_json(const RunAccount& account) {
           {"interpolation_error", grid.interpolation_error},
           {"pressure_error", grid.pressure_error},
           {"headings", grid.headings},
+          {"solved", solved_json(account)},
           {"results", seas},
           {"scatter", climates}};
 }
@@ -64,16 +110,6 @@ Json checks_json(const std::vector<SelfCheck>& all) {
   return checks;
 }
 
-// How fine the mesh is for the waves of one frequency
-void add_resolution(const std::vector<Resolution>& all, double omega, Json& frequency) {
-  for (const Resolution& r : all) {
-    if (r.omega != omega) continue;
-    frequency["nodes_per_wavelength"] = r.nodes_per_wavelength;
-    frequency["flexural_wavelength"] = r.flexural_wavelength;
-    frequency["nodes_per_flexural_wavelength"] = r.nodes_per_flexural_wavelength;
-  }
-}
-
 Json frequency_json(const FrequencyReport& report, double wavenumber) {
   const double wavelength = 2.0 * std::numbers::pi / wavenumber;
   if (!report.failure.empty())
@@ -81,21 +117,10 @@ Json frequency_json(const FrequencyReport& report, double wavenumber) {
             {"wavelength", wavelength},
             {"status", "failed"},
             {"failure", report.failure}};
-  return {{"omega", report.omega},
-          {"wavelength", wavelength},
-          {"status", "solved"},
-          {"method", report.method},
-          {"iterations", report.iterations},
-          {"applications", report.applications},
-          {"true_residual", report.true_residual},
-          {"kernel_error", report.kernel_error},
-          {"reciprocity_error", report.reciprocity_error},
-          {"energy_error", report.energy_error},
-          {"exact_residual", report.exact_residual},
-          {"residual_between_nodes", report.residual_between_nodes},
-          {"mode_change", report.mode_change},
-          {"passivity_error", report.passivity_error},
-          {"seconds", report.seconds}};
+  Json frequency = {{"omega", report.omega}, {"wavelength", wavelength}, {"status", "solved"}};
+  add_worth(report, frequency);
+  frequency["seconds"] = report.seconds;
+  return frequency;
 }
 
 }  // namespace

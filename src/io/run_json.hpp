@@ -34,9 +34,10 @@ struct RunAccount {
   double dry_omega_error = 0.0;    ///< largest relative error, estimated
   std::vector<double> wavenumber;  ///< one a finished frequency [rad/m]
   std::vector<FrequencyReport> frequencies;
-  std::vector<Resolution> resolution;  ///< of the case's frequencies
-  std::vector<SelfCheck> checks;       ///< none before the end
-  SeaGridReport sea_grid;              ///< no frequency: no seas
+  std::vector<Resolution> resolution;      ///< of the case's frequencies
+  std::vector<SelfCheck> checks;           ///< none before the end
+  SeaGridReport sea_grid;                  ///< no frequency: no seas
+  std::vector<Resolution> sea_resolution;  ///< of its solved frequencies
   struct Sea {
     std::string name;
     double mean_heading_deg, significant_height, band_height, spreading_sum, share_outside,

@@ -162,6 +162,7 @@ RunResults StoredRun::results() const {
     if (std::optional<FrequencyResult> tried = tried_frequency(i, count))
       results.frequencies.push_back(std::move(*tried));
   results.seas = seas();
+  if (const std::optional<SeaGridReport> grid = finished_seas()) results.sea_grid = *grid;
   results.stages = stages_;
   results.warnings = warnings_;
   return results;

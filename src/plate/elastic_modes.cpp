@@ -109,10 +109,12 @@ VecXd inverse_residuals(const ElasticProblem& problem, const Eigenpairs& pairs) 
     for (Index c = 0; c < columns; ++c)
       difference.col(c) = pairs.vector.col(first + c) -
                           (pairs.value[first + c] + problem.shift) * difference.col(c);
-    const MatXd product = problem.mass * difference;
+    const MatXd product = multiply_symmetric(problem.plate.stiffness, difference) +
+                          problem.shift * (problem.mass * difference);
     for (Index c = 0; c < columns; ++c)
       residual[first + c] =
-          std::sqrt(std::max(0.0, inner_products(difference.col(c), product.col(c))(0, 0)));
+          std::sqrt(std::max(0.0, inner_products(difference.col(c), product.col(c))(0, 0)) /
+                    (pairs.value[first + c] + problem.shift));
   }
   return residual;
 }

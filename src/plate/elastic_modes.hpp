@@ -23,8 +23,9 @@ Eigenpairs elastic_modes(const ElasticProblem& problem, const DryModeOptions& op
 Eigenpairs dense_elastic_modes(const PlateMatrices& plate, double shift, const MatXd& rigid_basis,
                                Index count);
 
-/// Residuals of the pairs, ‖c - (λ + s)(K + sM)⁻¹M c‖ in the norm of M, for cᵀMc = 1: bounds of the
-/// relative error of λ + s.
+/// Residuals of the pairs, ‖c - (λ + s)(K + sM)⁻¹M c‖ over ‖c‖ in the norm of K + sM: bounds of the
+/// relative error of λ + s. In the norm of M rounding that lies along the lowest modes would count
+/// by the ratio of the eigenvalues, in this one by its root.
 VecXd inverse_residuals(const ElasticProblem& problem, const Eigenpairs& pairs);
 
 }  // namespace floe::plate

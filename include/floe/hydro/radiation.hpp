@@ -50,8 +50,8 @@ MatXcd froude_krylov_forces(const Eigen::Ref<const MatXd>& deflection, const Mat
 ///   b_ij = k/(8πρg c_g) ∫ X_i X_j* dβ over all headings, X = F per metre of wave,
 /// by 2kR + 20 equidistant headings or more, R half the diagonal. Independent of the imaginary part
 /// of the fluid matrix. q × q.
-MatXd radiated_damping(const MatXcd& radiation_pressure, const mesh::Q8Mesh& mesh, double omega,
-                       const wave::Water& water);
+MatXd radiated_damping(const Eigen::Ref<const MatXcd>& radiation_pressure, const mesh::Q8Mesh& mesh,
+                       double omega, const wave::Water& water);
 
 /// Largest |b_ij - b̂_ij| relative to √(s_i s_j), s_i the larger of b_ii and ω|a_ii|.
 double energy_error(const Radiation& radiation, const MatXd& radiated, double omega);

@@ -25,7 +25,7 @@ MatXcd wave_loads(const mesh::Q8Mesh& mesh, double wavenumber, std::span<const d
 /// `full_circle(count)`, count even: q × count. What wave_loads would give, without its N × count
 /// numbers; opposite headings share the work.
 MatXcd full_circle_transform(const mesh::Q8Mesh& mesh, double wavenumber, int count,
-                             const MatXcd& field);
+                             const Eigen::Ref<const MatXcd>& field);
 
 /// `count` equidistant headings over the full circle, from 0 [rad].
 std::vector<double> full_circle(int count);
