@@ -76,7 +76,7 @@ int circle_headings(const Case& data, const mesh::Q8Mesh& mesh, double highest) 
 // band comes out to a tenth of the tolerance
 std::vector<double> fine_frequencies(const Case& data, const SeaBand& band, double length) {
   const double step = kFinestStep * std::min(1.0, kReferenceLength / length);
-  int count = 2 * static_cast<int>(std::ceil(0.5 * (band.to - band.from) / step));
+  int count = std::max(4, 2 * static_cast<int>(std::ceil(0.5 * (band.to - band.from) / step)));
   const auto grid_of = [&](int steps) {
     std::vector<double> omega;
     for (int i = 0; i <= steps; ++i) omega.push_back(band.from + (band.to - band.from) * i / steps);
@@ -251,8 +251,7 @@ void solve_seas(const Case& data, const SeaBand& band, const PlateModel& plate, 
     return sample;
   };
   FluidMarch march =
-      begin_march({.from = band.from,
-                   .to = band.to,
+      begin_march({.omega = grid.omega,
                    .first_step = kFirstStep * kReferenceLength / length,
                    .tolerance = data.sea_grid.tolerance},
                   earlier, store, solve,

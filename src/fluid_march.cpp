@@ -19,6 +19,10 @@ double node_polynomial(std::span<const double> nodes, double x) {
   return product;
 }
 
+double first_step(const FluidMarch::Options& options) {
+  return std::min(options.first_step, (options.omega.back() - options.omega.front()) / 5.0);
+}
+
 }  // namespace
 
 std::vector<double> lagrange_weights(std::span<const double> nodes, double x) {
@@ -30,22 +34,22 @@ std::vector<double> lagrange_weights(std::span<const double> nodes, double x) {
 }
 
 FluidMarch::FluidMarch(const Options& options, Solve solve, Difference difference)
-    : to_(options.to),
-      step_(std::min(options.first_step, (options.to - options.from) / 5.0)),
+    : omega_(options.omega),
+      step_(first_step(options)),
       least_step_(kFinest * step_),
       tolerance_(options.tolerance),
       solve_(std::move(solve)),
       difference_(std::move(difference)) {
-  solve_at(0, options.from);
+  solve_at(0, 0);
   while (samples_.size() < 5) extend();
   refine();
 }
 
 FluidMarch::FluidMarch(const Options& options, const SeaMarch& earlier,
                        std::deque<FluidSample> samples, Solve solve, Difference difference)
-    : to_(options.to),
+    : omega_(options.omega),
       step_(earlier.step),
-      least_step_(kFinest * std::min(options.first_step, (options.to - options.from) / 5.0)),
+      least_step_(kFinest * first_step(options)),
       tolerance_(options.tolerance),
       solve_(std::move(solve)),
       difference_(std::move(difference)),
@@ -65,20 +69,30 @@ SeaMarch FluidMarch::state() const {
   return state;
 }
 
-// One more sample, before the one that is at that place now
-void FluidMarch::solve_at(std::size_t place, double omega) {
+// One more sample, before the one that is at that place now, at the frequency of that number
+void FluidMarch::solve_at(std::size_t place, Index number) {
   const auto at = static_cast<std::ptrdiff_t>(place);
-  samples_.insert(samples_.begin() + at, solve_(solved_, omega));
+  samples_.insert(samples_.begin() + at, solve_(solved_, omega_[static_cast<std::size_t>(number)]));
   numbers_.insert(numbers_.begin() + at, solved_);
   ++solved_;
 }
 
-// One more frequency at the high end
+// The nearest of the frequencies
+Index FluidMarch::number_of(double omega) const {
+  const auto above = std::lower_bound(omega_.begin(), omega_.end(), omega);
+  const Index number = above - omega_.begin();
+  if (above == omega_.begin()) return number;
+  if (above == omega_.end()) return number - 1;
+  return omega - *(above - 1) < *above - omega ? number - 1 : number;
+}
+
+// One more frequency at the high end, such that five can be had
 void FluidMarch::extend() {
-  const double last = samples_.back().omega;
-  const double left = to_ - last;
+  const double last = samples_.back().omega, left = omega_.back() - last;
   const double step = left < 1.5 * step_ ? (left > step_ ? 0.5 * left : left) : step_;
-  solve_at(samples_.size(), left - step < 1e-9 * to_ ? to_ : last + step);
+  const Index others = std::max<Index>(0, 4 - static_cast<Index>(samples_.size()));
+  const Index highest = static_cast<Index>(omega_.size()) - 1 - others;
+  solve_at(samples_.size(), std::clamp(number_of(last + step), number_of(last) + 1, highest));
 }
 
 // First sample of the cubic for an interval: one on each side where there is one
@@ -122,11 +136,13 @@ double FluidMarch::estimate(Index interval) const {
 // Halves the current interval until its estimate is small enough
 void FluidMarch::refine() {
   for (;;) {
-    while (static_cast<Index>(samples_.size()) < interval_ + 4 && samples_.back().omega < to_)
+    while (static_cast<Index>(samples_.size()) < interval_ + 4 &&
+           samples_.back().omega < omega_.back())
       extend();
     const auto i = static_cast<std::size_t>(interval_);
     const double width = samples_[i + 1].omega - samples_[i].omega;
-    const double error = estimate(interval_);
+    const Index below = number_of(samples_[i].omega), above = number_of(samples_[i + 1].omega);
+    const double error = above - below > 1 ? estimate(interval_) : 0.0;
     if (error <= tolerance_ || 0.5 * width < least_step_) {
       largest_error_ = std::max(largest_error_, error);
       if (error < kEasy * tolerance_)
@@ -134,13 +150,14 @@ void FluidMarch::refine() {
       return;
     }
     step_ = std::max(least_step_, 0.5 * width);
-    solve_at(i + 1, samples_[i].omega + 0.5 * width);
+    solve_at(i + 1, std::clamp(number_of(samples_[i].omega + 0.5 * width), below + 1, above - 1));
   }
 }
 
 FluidSample FluidMarch::at(double omega) {
   while (omega > samples_[static_cast<std::size_t>(interval_) + 1].omega &&
-         !(samples_.back().omega >= to_ && interval_ + 2 == static_cast<Index>(samples_.size()))) {
+         !(samples_.back().omega >= omega_.back() &&
+           interval_ + 2 == static_cast<Index>(samples_.size()))) {
     ++interval_;
     while (interval_ > 3) {
       samples_.pop_front();

@@ -24,9 +24,11 @@ class FluidMarch {
   using Difference = std::function<double(const FluidSample&, const FluidSample&)>;
 
   struct Options {
-    double from = 0.0, to = 0.0;  ///< [rad/s]
-    double first_step = 0.0;      ///< [rad/s]
-    double tolerance = 1e-3;      ///< of the difference, estimated
+    /// Where the fluid will be told, rising, five or more [rad/s]: only these are solved, and
+    /// between two neighbours there is nothing to tell. A view.
+    std::span<const double> omega;
+    double first_step = 0.0;  ///< [rad/s]
+    double tolerance = 1e-3;  ///< of the difference, estimated
   };
 
   FluidMarch(const Options& options, Solve solve, Difference difference);
@@ -43,14 +45,16 @@ class FluidMarch {
   double largest_error() const { return largest_error_; }  ///< (E.10) over the intervals used
 
  private:
-  void solve_at(std::size_t place, double omega);
+  void solve_at(std::size_t place, Index number);
   void extend();
+  Index number_of(double omega) const;
   void refine();
   double estimate(Index interval) const;
   FluidSample interpolate(double omega, Index first) const;
   Index cubic_of(Index interval) const;
 
-  double to_, step_, least_step_, tolerance_;
+  std::span<const double> omega_;
+  double step_, least_step_, tolerance_;
   Solve solve_;
   Difference difference_;
   std::deque<FluidSample> samples_;

@@ -112,7 +112,7 @@ inline std::vector<Row> fault_rows() {
       {51,
        "NaN or Inf anywhere",
        {"Finite, NamesTheArray", "DirectoryStore, NeverWritesANumberThatIsNotFinite",
-        "DirectoryStore, FlagsAFrequencyThatCouldNotBeSolved"}},
+        "UnsolvedFrequency, IsFlaggedInEveryProductAndTriedAgain"}},
       {52, "wrong BLAS on this CPU", {"Blas, ThatCannotMultiplyIsNamedAtTheStart"}},
       {53,
        "illegal instruction: binary on an older CPU",

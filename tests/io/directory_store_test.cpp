@@ -1,19 +1,15 @@
 #include "fabricated_results.hpp"
-#include "io/netcdf_file.hpp"
 #include "test_case.hpp"
 
 #include <floe/estimate.hpp>
 #include <floe/io/directory_store.hpp>
-#include <floe/io/stored_run.hpp>
 #include <floe/numeric/error.hpp>
-#include <floe/unsolved_frequency.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
 
-#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <limits>
@@ -228,64 +224,6 @@ TEST(DirectoryStore, NeverWritesANumberThatIsNotFinite) {
   for (const char* name : {"rao_points.csv", "wave_points.csv", "exciting_force.csv"})
     for (const auto& row : rows_of(folder.read(std::string("out/") + name)))
       EXPECT_NE(row[0], "0.5") << name << " keeps finished frequencies only";
-}
-
-TEST(DirectoryStore, FlagsAFrequencyThatCouldNotBeSolved) {
-  const TestFolder folder;
-  const std::filesystem::path out = folder.path() / "out";
-  const mesh::Q8Mesh mesh = small_mesh();
-  const auto begin = [&](DirectoryStore& store) {
-    store.begin(small_case(), mesh, estimate(small_case(), mesh, nullptr, 1));
-    store.modes(small_modes(), mesh);
-  };
-  {
-    DirectoryStore store(out);
-    begin(store);
-    store.frequency(small_result(0.4));
-    store.frequency(unsolved_frequency(small_case(), 4, 0.5, "omega = 0.5 rad/s: it failed"));
-    store.finish({});
-    store.stop("this comes after the end");
-  }
-  const auto run = nlohmann::json::parse(folder.read("out/run.json"));
-  EXPECT_EQ(run.at("status"), "failed");
-  EXPECT_EQ(run.at("frequencies").at(1).at("status"), "failed");
-  EXPECT_EQ(run.at("frequencies").at(1).at("failure"), "omega = 0.5 rad/s: it failed");
-  for (const char* name : {"rao_points.csv", "rao_lines.csv", "rao_quantities.csv",
-                           "wave_points.csv", "hydro_coefficients.csv", "exciting_force.csv"}) {
-    const auto rows = rows_of(folder.read(std::string("out/") + name));
-    ASSERT_EQ(rows.size() % 2, 1u) << name;
-    for (std::size_t i = 1; i < rows.size(); ++i)
-      EXPECT_EQ(rows[i].back() == "nan", rows[i][0] == "0.5") << name << ", row " << i;
-  }
-  const NetcdfFile file = NetcdfFile::open(out / "result.nc");
-  EXPECT_THAT(file.numbers("status"), ElementsAre(0, 1));
-  EXPECT_THAT(file.numbers("omega"), ElementsAre(0.4, 0.5));
-  for (const char* name : {"added_mass", "radiation_damping"}) {
-    const std::vector<double> values = file.numbers(name);
-    for (std::size_t i = 0; i < values.size(); ++i)
-      EXPECT_EQ(std::isnan(values[i]), i >= values.size() / 2) << name << ", " << i;
-  }
-
-  // Read back, and tried again
-  const StoredRun stored(out);
-  EXPECT_FALSE(stored.has_frequency(1));
-  EXPECT_EQ(stored.failure(0), "");
-  EXPECT_EQ(stored.failure(1), "omega = 0.5 rad/s: it failed");
-  EXPECT_EQ(stored.frequencies().size(), 1u);
-  ASSERT_EQ(stored.results().frequencies.size(), 2u);
-  EXPECT_TRUE(std::isnan(stored.results().frequencies[1].amplitudes(0, 0).real()));
-  {
-    DirectoryStore store(out, Existing::kResume);
-    begin(store);
-    EXPECT_TRUE(store.known_frequency(0).has_value());
-    EXPECT_FALSE(store.known_frequency(1).has_value());
-    store.frequency(small_result(0.4));
-    store.frequency(small_result(0.5));
-    store.finish({});
-  }
-  EXPECT_EQ(nlohmann::json::parse(folder.read("out/run.json")).at("status"), "complete");
-  EXPECT_FALSE(std::filesystem::exists(out / "records/failure_00002.rec"));
-  EXPECT_EQ(StoredRun(out).failure(1), "");
 }
 
 TEST(DirectoryStore, RefusesADirectoryWithResults) {
