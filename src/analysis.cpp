@@ -47,9 +47,11 @@ void analyse(const Case& data, Log& log, Store& store) {
   // Prepare what no frequency changes, once something is to be solved
   std::optional<FluidModel> prepared;
   const auto fluid = [&]() -> FluidModel& {
-    if (!prepared)
+    if (!prepared) {
       prepared.emplace(
           clock.time("geometry", [&] { return prepare_fluid(data, meshes, plate, band); }));
+      prepared->pause = [&log] { log.pause(); };
+    }
     return *prepared;
   };
 

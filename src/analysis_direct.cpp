@@ -9,6 +9,7 @@
 #include <floe/hydro/surface_integrals.hpp>
 #include <floe/hydro/wave_field.hpp>
 #include <floe/krylov/gmres.hpp>
+#include <floe/numeric/blas_check.hpp>
 #include <floe/numeric/error.hpp>
 #include <floe/plate/plate_compliance.hpp>
 #include <floe/wave/dispersion.hpp>
@@ -144,6 +145,7 @@ FrequencyResult solve_frequency_direct(const Case& data, const PlateModel& plate
   result.omega = omega;
   result.wavenumber = wave::wavenumber(omega, data.water);
   result.report.omega = omega;
+  result.report.processor = numeric::processor_kind();
   result.report.method = method_name(fluid.operators.method);
 
   // Set up water and plate

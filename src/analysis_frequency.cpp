@@ -5,6 +5,7 @@
 #include <floe/coupling/modal_equation.hpp>
 #include <floe/hydro/surface_integrals.hpp>
 #include <floe/hydro/wave_field.hpp>
+#include <floe/numeric/blas_check.hpp>
 #include <floe/plate/mindlin.hpp>
 #include <floe/wave/dispersion.hpp>
 
@@ -152,6 +153,7 @@ FrequencyResult solve_frequency(const Case& data, const PlateModel& plate, const
   result.omega = omega;
   result.wavenumber = wave::wavenumber(omega, data.water);
   result.report.omega = omega;
+  result.report.processor = numeric::processor_kind();
 
   // Set up the fluid's operator
   const green::GreenTable green = clock.time("Green function", [&] {

@@ -80,6 +80,7 @@ krylov::GmresOptions iteration_options(const Case& data, const FluidModel& fluid
   options.memory = space.memory;
   options.steps_without_restart = space.steps;
   options.max_iterations = space.most_steps;
+  options.before_step = fluid.pause;
   if (space.in_float) options.basis = krylov::GmresOptions::Basis::single_precision;
   return options;
 }

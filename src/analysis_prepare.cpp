@@ -152,7 +152,8 @@ FluidModel prepare_fluid(const Case& data, const Meshes& meshes, const PlateMode
                                                            names_of(data.points)),
                    .wave_points = positions_of(data.wave_points),
                    .heading = {},
-                   .reach = 0.0};
+                   .reach = 0.0,
+                   .pause = {}};
   for (const double degrees : data.heading_deg)
     fluid.heading.push_back(degrees * std::numbers::pi / 180.0);
 

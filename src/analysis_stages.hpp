@@ -16,6 +16,7 @@
 #include <floe/sea_band.hpp>
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <new>
 #include <optional>
@@ -95,8 +96,9 @@ struct FluidModel {
   MatXd deflection;        ///< w of the modes at the fluid's nodes, N × q
   SparseMatrix at_points;  ///< interpolation to Case::points
   Points2 wave_points;
-  std::vector<double> heading;  ///< [rad]
-  double reach = 0.0;           ///< largest distance that the Green function is asked for [m]
+  std::vector<double> heading;       ///< [rad]
+  double reach = 0.0;                ///< largest distance that the Green function is asked for [m]
+  std::function<void()> pause = {};  ///< Log::pause
 };
 
 /// What the run will take.

@@ -51,6 +51,7 @@ class PartOfLog final : public Log {
   void progress(double share, const std::string& now) override {
     whole_.progress((part_ + share) / parts_, now);
   }
+  void pause() override { whole_.pause(); }
 
  private:
   Log& whole_;  // view

@@ -81,6 +81,22 @@ void warn_about_shape(const mesh::MeshQuality& quality, std::vector<std::string>
                     quality.largest_edge_jump, kLargestJump));
 }
 
+// A plate's theory holds for what is thin
+void warn_about_thickness(const Case& data, const mesh::Q8Mesh& mesh,
+                          std::vector<std::string>& warnings) {
+  constexpr double kThickest = 0.2;  // of the shorter side
+  if (data.structure) return;
+  const double side = (mesh.upper() - mesh.lower()).minCoeff();
+  double thickest = data.plate.thickness;
+  for (const PlateRegion& region : data.regions)
+    thickest = std::max(thickest, region.properties.thickness);
+  if (thickest > kThickest * side)
+    warnings.push_back(
+        fmt::format("thick plate: thickness = {:.4g} m, shorter side = {:.4g} m (up to {:g} of it "
+                    "is good; are thickness and mesh in metres?)",
+                    thickest, side, kThickest));
+}
+
 void warn_about_waves(const std::vector<Resolution>& resolution, double size,
                       std::vector<std::string>& warnings) {
   double least = std::numeric_limits<double>::infinity();
@@ -207,6 +223,7 @@ Preflight preflight(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Me
     found.resolution.push_back(resolution);
   }
   warn_about_shape(found.quality, found.warnings);
+  warn_about_thickness(data, mesh, found.warnings);
   warn_about_waves(found.resolution, mesh.size(), found.warnings);
   double shortest = std::numeric_limits<double>::infinity();
   for (const Resolution& r : found.resolution) shortest = std::min(shortest, r.flexural_wavelength);

@@ -186,6 +186,8 @@ class Log {
   /// Share of the run's work that is done, 0 … 1, as predicted, and what runs now. What an earlier
   /// run did is no work.
   virtual void progress(double share, const std::string& now) = 0;
+  /// Called often within a long solution, from one thread. What it throws drops the solution.
+  virtual void pause() {}
 };
 
 struct Estimate;

@@ -21,6 +21,7 @@ struct FrequencyReport {
   double mode_change = 0.0;
   double passivity_error = 0.0;  ///< most negative eigenvalue of the damping over the largest
   double seconds = 0.0;          ///< wall time
+  std::string processor = {};    ///< numeric::processor_kind of what solved it
   std::string failure = {};      ///< why there is no result; empty: there is one
 };
 

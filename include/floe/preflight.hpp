@@ -41,7 +41,8 @@ struct Preflight {
 /// Looks at the mesh (and the plate's own mesh, if it has one) against all waves of the case; in
 /// each region of the plate against its own. Without `regions` the plate is uniform.
 /// Warns about fewer than 4 nodes a wavelength, elements with an aspect ratio over 20, edge lengths
-/// that jump by more than 10 between neighbours, and a mesh whose size and wavelengths differ by
+/// that jump by more than 10 between neighbours, plates thicker than a fifth of the shorter side of
+/// the mesh, and a mesh whose size and wavelengths differ by
 /// more than 1e4 (a mesh in millimetres).
 Preflight preflight(const Case& data, const mesh::Q8Mesh& mesh,
                     const mesh::Q8Mesh* plate_mesh = nullptr,

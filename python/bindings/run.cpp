@@ -33,6 +33,7 @@ class CallingLog final : public Log {
     }
     stop_if_asked();
   }
+  void pause() override { stop_if_asked(); }
 
  private:
   RunResults& results_;         // view

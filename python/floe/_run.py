@@ -41,8 +41,8 @@ def run(
     resume, fresh: go on with, or replace, what an earlier run left in `output`.
     allow_coarse: go on with fewer than 2 nodes a wavelength.
 
-    Ctrl-C (KeyboardInterrupt) and an exception of `progress` stop the run after the frequency that
-    is being solved; what was finished is kept in `output`. What may make the results worse is in
+    Ctrl-C (KeyboardInterrupt) and an exception of `progress` stop the run after the step of the solution
+    that is being taken; what was finished is kept in `output`. What may make the results worse is in
     `warnings` of the result and issued as AccuracyWarning. Raises floe.CaseError, MeshError,
     SeaError, BudgetError, FileError, ConvergenceError, StoreError, BusyError, all floe.Error. Where
     only some frequencies could not be solved, `result` of the ConvergenceError has the others, with

@@ -18,23 +18,37 @@ constexpr std::uintmax_t kLargestMatrixFile = std::uintmax_t{1} << 38;
 
 constexpr NumberRule kPositive(const char* unit) { return {unit, "must be positive", is_positive}; }
 
-// What may differ from region to region
+// What may differ from region to region. Values beyond the range are likely of another unit
 struct MaterialKey {
   const char* name;
   double plate::PlateProperties::*member;
   NumberRule rule;
+  double likely_least = -1.0, likely_most = 1.0;
+  const char* mistaken = "";
 };
 const std::vector<MaterialKey>& material_keys() {
   using Properties = plate::PlateProperties;
   static const std::vector<MaterialKey> keys = {
-      {"thickness", &Properties::thickness, kPositive("m")},
-      {"youngs_modulus", &Properties::youngs_modulus, kPositive("N/m²")},
+      {"thickness", &Properties::thickness, kPositive("m"), 1e-3, 100.0, "millimetres"},
+      {"youngs_modulus", &Properties::youngs_modulus, kPositive("N/m²"), 1e5, 1e13, "GPa or MPa"},
       {"poisson_ratio",
        &Properties::poisson_ratio,
        {"", "must be greater than -1 and less than 0.5",
         [](double x) { return x > -1.0 && x < 0.5; }}},
-      {"density", &Properties::density, kPositive("kg/m³")}};
+      {"density", &Properties::density, kPositive("kg/m³"), 5.0, 2e4, "t/m³ or g/cm³"}};
   return keys;
+}
+
+void warn_of_units(const Section& section, const plate::PlateProperties& properties) {
+  for (const MaterialKey& key : material_keys()) {
+    const double value = properties.*key.member;
+    const toml::node* const given = section.find(key.name);
+    if (!given || (value >= key.likely_least && value <= key.likely_most)) continue;
+    section.source().warnings.push_back(
+        fmt::format("{}{} = {:g} {} is far from that of any plate (was it meant in {}?)",
+                    section.source().place(given->source()), section.full_name(key.name), value,
+                    key.rule.unit, key.mistaken));
+  }
 }
 
 void require_floating(const Section& section, const plate::PlateProperties& properties,
@@ -73,6 +87,7 @@ void read_regions(const Section& plate, Case& data) {
     for (const MaterialKey& key : material_keys())
       read.properties.*key.member = region.number_or(key.name, key.rule, data.plate.*key.member);
     require_floating(region, read.properties, data.water);
+    warn_of_units(region, read.properties);
     data.regions.push_back(std::move(read));
   }
 }
@@ -147,6 +162,7 @@ void read_plate(const Section& root, const std::filesystem::path& folder, Case& 
   for (const MaterialKey& key : material_keys()) p.*key.member = plate.number(key.name, key.rule);
   p.shear_correction = plate.number_or("shear_correction", correction, p.shear_correction);
   require_floating(plate, p, data.water);
+  warn_of_units(plate, p);
   read_regions(plate, data);
 }
 

@@ -19,7 +19,8 @@ namespace floe::io {
 class DirectoryStore::Impl {
  public:
   Impl(const std::filesystem::path& path, Existing existing)
-      : directory(path, existing), resume_(existing == Existing::kResume) {}
+      : directory(path, existing, "--resume to go on with it, --fresh to replace it"),
+        resume_(existing == Existing::kResume) {}
 
   void begin(const Case& data, const mesh::Q8Mesh& mesh, const Estimate& plan);
   void modes(const plate::DryModes& dry, const mesh::Q8Mesh& mesh);

@@ -28,9 +28,6 @@ constexpr int kFormat = 1;  // of the manifest
 // Raise it when the same case gives other bits than before: earlier records are refused then
 constexpr int kSolver = 1;
 
-constexpr const char* kAdvice =
-    " (give --fresh to replace the results, or another directory with -o)";
-
 std::string hash_of_bytes(const std::string& bytes) {
   const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
   return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
@@ -77,7 +74,7 @@ Json make_manifest(const Case& data, const std::string& mesh_hash) {
   return manifest;
 }
 
-Json read_manifest(const std::filesystem::path& directory) {
+Json read_manifest(const std::filesystem::path& directory, const std::string& advice) {
   const std::filesystem::path path = directory / kManifest;
   Json manifest;
   try {
@@ -86,13 +83,13 @@ Json read_manifest(const std::filesystem::path& directory) {
     const int format = manifest.at("format");
     FLOE_VALIDATE_AS(StoreError, format <= kFormat,
                      path.string() << " has the format version " << format << ", this floe reads "
-                                   << kFormat << kAdvice);
+                                   << kFormat << advice);
     manifest.at("options").at("waves").at("omega");
     manifest.at("mesh_hash").get_ref<const std::string&>();
   } catch (const Json::exception&) {
-    throw StoreError(path.string() + " is damaged" + kAdvice);
+    throw StoreError(path.string() + " is damaged" + advice);
   } catch (const InputError& error) {
-    throw StoreError(std::string(error.what()) + kAdvice);
+    throw StoreError(std::string(error.what()) + advice);
   }
   return manifest;
 }

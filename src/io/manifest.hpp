@@ -14,8 +14,14 @@ namespace floe::io {
 /// The manifest of a run that begins.
 nlohmann::ordered_json make_manifest(const Case& data, const std::string& mesh_hash);
 
-/// Throws StoreError naming --fresh when it is missing, damaged, or of a newer floe.
-nlohmann::ordered_json read_manifest(const std::filesystem::path& directory);
+/// What a run can do where the manifest is of no use, and what other commands can.
+inline const std::string kAdviceToRun =
+    " (give --fresh to replace the results, or another directory with -o)";
+inline const std::string kAdviceToRead = " (give the directory of a run, or run the case again)";
+
+/// Throws StoreError with the advice when it is missing, damaged, or of a newer floe.
+nlohmann::ordered_json read_manifest(const std::filesystem::path& directory,
+                                     const std::string& advice = kAdviceToRun);
 
 void write_manifest(const std::filesystem::path& directory, const nlohmann::ordered_json& manifest);
 

@@ -27,7 +27,7 @@ struct Part {
 std::vector<Part> read_parts(const std::vector<std::filesystem::path>& directories) {
   std::vector<Part> parts;
   for (const std::filesystem::path& directory : directories) {
-    Part part{directory, read_manifest(directory), {}};
+    Part part{directory, read_manifest(directory, kAdviceToRead), {}};
     part.manifest.erase("shard");
     for (const std::string& name : records_in(directory))
       if (!name.starts_with(kBadRecords)) part.records.push_back(name);
@@ -61,7 +61,7 @@ Record read_record(const Part& part, const std::string& name) {
 // Two parts that computed the same must have found the same
 void require_equal(const Record& there, const Record& record, const Part& part,
                    const std::string& name) {
-  FLOE_VALIDATE_AS(StoreError, there.same_as(record, {kSeconds}),
+  FLOE_VALIDATE_AS(StoreError, there.same_as(record, {kSeconds, kProcessor}),
                    "record " << (part.directory / name).string()
                              << " differs from that of another part (parts must be computed by one "
                                 "floe on processors of one kind)");

@@ -76,12 +76,13 @@ std::string holder_of(const std::filesystem::path& directory) {
   return held && who.empty() ? "another process" : who;
 }
 
-OutputDirectory::OutputDirectory(std::filesystem::path path, Existing existing)
+OutputDirectory::OutputDirectory(std::filesystem::path path, Existing existing,
+                                 const std::string& ways)
     : path_(std::move(path)) {
   make();
   try {
     lock();
-    look_at_content(existing);
+    look_at_content(existing, ways);
   } catch (...) {
     if (lock_ >= 0) {
       ::unlink((path_ / kLockName).c_str());
@@ -141,15 +142,15 @@ void OutputDirectory::lock() {
     refuse_writing(path_ / kLockName, errno);
 }
 
-void OutputDirectory::look_at_content(Existing existing) {
+void OutputDirectory::look_at_content(Existing existing, const std::string& ways) {
   const auto holds = [&](const std::string& name) {
     return std::filesystem::exists(std::filesystem::symlink_status(path_ / name));
   };
   const bool manifest = holds(kManifest), account = holds("run.json");
   if (manifest || account || !records_in(path_).empty()) {
     FLOE_VALIDATE_AS(StoreError, existing != Existing::kRefuse,
-                     path_.string() << " holds a result already (give --resume to go on with it, "
-                                       "--fresh to replace it, or another directory with -o)");
+                     path_.string() << " holds a result already (give " << ways
+                                    << ", or another directory with -o)");
     // NOTE: a run that was killed before its first record left an account only, as one that runs
     const bool begun =
         !manifest && records_in(path_).empty() && status_of_run(path_ / "run.json") == kRunning;

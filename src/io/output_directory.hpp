@@ -11,7 +11,9 @@ namespace floe::io {
 /// The directory of one run: made, locked against a second run, and checked for what it holds.
 class OutputDirectory final {
  public:
-  OutputDirectory(std::filesystem::path path, Existing existing);
+  /// `ways` are the flags of the command that deal with a result that is there already.
+  OutputDirectory(std::filesystem::path path, Existing existing,
+                  const std::string& ways = "--fresh to replace it");
   /// Removes the lock, and the directory if this run made it and it is empty.
   ~OutputDirectory();
   OutputDirectory(const OutputDirectory&) = delete;
@@ -35,7 +37,7 @@ class OutputDirectory final {
   void make();
   void lock();
   void remove_leftovers(const std::vector<std::string>& files) const;
-  void look_at_content(Existing existing);
+  void look_at_content(Existing existing, const std::string& ways);
   std::vector<std::string> files_of_earlier_run() const;
 
   std::filesystem::path path_;

@@ -15,6 +15,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <set>
 
 namespace floe::io {
 
@@ -159,8 +160,21 @@ void Products::end_seas(const SeaGridReport& grid) {
   node_spectra_.reset();
 }
 
+// Frequencies of one sweep by processors of several kinds have other last bits
+void Products::warn_of_mixture() {
+  std::set<std::string> kinds;
+  for (const FrequencyReport& report : account.frequencies)
+    if (!report.processor.empty()) kinds.insert(report.processor);
+  if (kinds.size() < 2) return;
+  account.warnings.push_back(
+      fmt::format("mixed processors: frequencies were solved by {} (results agree to the "
+                  "tolerance, not to the bit)",
+                  fmt::join(kinds, " and by ")));
+}
+
 // What the run tells about itself, and warnings where that is not good
 void Products::check_results() {
+  warn_of_mixture();
   std::vector<Resolution> resolution = account.resolution;
   const std::vector<Resolution>& of_seas = account.sea_resolution;
   resolution.insert(resolution.end(), of_seas.begin(), of_seas.end());

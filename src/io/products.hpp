@@ -59,6 +59,7 @@ class Products final {
   void write_account() const;
   void write_fields(const FrequencyResult& result);
   void check_results();
+  void warn_of_mixture();
   void warn_of_band(const SeaResult& sea);
   PvdEntry entry_of(const NodeField& field) const;
 

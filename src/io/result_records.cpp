@@ -86,6 +86,7 @@ Record record_of(const FrequencyResult& result) {
                               report.exact_residual, report.passivity_error,
                               report.residual_between_nodes, report.mode_change}});
   record.put(kSeconds, report.seconds);
+  record.put(kProcessor, report.processor);
   return record;
 }
 
@@ -124,7 +125,8 @@ FrequencyResult frequency_from(const Record& record) {
                    .residual_between_nodes = report.at(8),
                    .mode_change = report.at(9),
                    .passivity_error = report.at(7),
-                   .seconds = record.number(kSeconds)};
+                   .seconds = record.number(kSeconds),
+                   .processor = record.holds(kProcessor) ? record.text(kProcessor) : ""};
   return result;
 }
 

@@ -11,6 +11,8 @@ namespace floe::io {
 
 /// The entry of a frequency that tells its wall time: two runs differ in it.
 inline const std::string kSeconds = "seconds";
+/// And the one that tells the kind of processor, in which they may differ.
+inline const std::string kProcessor = "processor";
 
 Record record_of(const mesh::Q8Mesh& mesh);
 mesh::Q8Mesh mesh_from(const Record& record);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 namespace floe::io {
 namespace {
@@ -92,8 +93,12 @@ Json sea_results_json(const RunAccount& account) {
 }
 
 Json plan_json(const RunAccount& account) {
+  std::set<std::string> processors;
+  for (const FrequencyReport& report : account.frequencies)
+    if (!report.processor.empty()) processors.insert(report.processor);
   return {{"method", account.plan.method},
           {"threads", account.threads},
+          {"processors", processors},
           {"estimated_memory", account.plan.memory},
           {"estimated_seconds", account.plan.seconds}};
 }

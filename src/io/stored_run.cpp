@@ -48,7 +48,7 @@ StoredRun::StoredRun(std::filesystem::path directory) : directory_(std::move(dir
   const bool lost = std::filesystem::exists(record(kManifest)) &&
                     !std::filesystem::exists(directory_ / "run.json");
   const Json account = lost ? Json::object() : read_json(directory_ / "run.json");
-  const Json manifest = read_manifest(directory_);
+  const Json manifest = read_manifest(directory_, kAdviceToRead);
   manifest_ = manifest.dump();
   if (!lost) account_ = account.dump();
   data_ = case_from_json(manifest.at("options"));

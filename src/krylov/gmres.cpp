@@ -139,6 +139,7 @@ class BlockSolve {
   template <class Scalar>
   bool grow(BlockKrylov<Scalar>& krylov, std::vector<Tall<Scalar>>& kept) {
     for (; steps_ < options_.max_iterations; ++steps_, ++report_.iterations) {
+      if (options_.before_step) options_.before_step();
       const Index room = directions_ - krylov.expanded();
       if (room <= 0) return true;
       const Index count =

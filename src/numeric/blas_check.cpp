@@ -1,6 +1,7 @@
 #include <floe/numeric/blas_check.hpp>
 #include <floe/numeric/dense_lu.hpp>
 #include <floe/numeric/error.hpp>
+#include <floe/numeric/simd.hpp>
 
 #include <dlfcn.h>
 #include <omp.h>
@@ -87,14 +88,27 @@ double error_of_solution() {
 
 }  // namespace
 
-std::string blas_name() {
+namespace {
+
+// What a function of OpenBLAS tells; "" where the BLAS is another one
+std::string told_by(const char* function) {
   using Teller = char* (*)();
-  std::string name = "unknown";
-  if (void* const symbol = dlsym(RTLD_DEFAULT, "openblas_get_config"))
-    name = reinterpret_cast<Teller>(symbol)();
-  if (void* const symbol = dlsym(RTLD_DEFAULT, "openblas_get_corename"))
-    name += std::string(" (") + reinterpret_cast<Teller>(symbol)() + ")";
-  return name;
+  void* const symbol = dlsym(RTLD_DEFAULT, function);
+  return symbol ? reinterpret_cast<Teller>(symbol)() : "";
+}
+
+}  // namespace
+
+std::string blas_name() {
+  const std::string name = told_by("openblas_get_config");
+  const std::string core = told_by("openblas_get_corename");
+  return (name.empty() ? "unknown" : name) + (core.empty() ? "" : " (" + core + ")");
+}
+
+std::string processor_kind() {
+  const std::string core = told_by("openblas_get_corename");
+  return (core.empty() ? "unknown" : core) +
+         (has_wide_vectors() ? ", 64-byte vectors" : ", 32-byte vectors");
 }
 
 namespace {

@@ -77,6 +77,11 @@ void Account::progress(double share, const std::string& now) {
   stop_if_asked();
 }
 
+void Account::pause() {
+  constexpr double kPatience = 10.0;  // [s]
+  stop_if_asked(kPatience);
+}
+
 // For people who read a log: seldom, and never in a short run
 void Account::line_of_progress(double left) {
   constexpr double kShares = 0.1, kSeconds = 10.0;

@@ -25,6 +25,8 @@ class Account final : public Log {
   void notice(const std::string& text) override;
   void warning(const std::string& text) override;
   void progress(double share, const std::string& now) override;
+  /// Drops a solution that takes longer than a few seconds after a stop was asked for.
+  void pause() override;
 
   /// "mesh       1621 nodes, 500 elements"
   void fact(const std::string& name, const std::string& text);

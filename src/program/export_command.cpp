@@ -1,5 +1,6 @@
 #include "program/commands.hpp"
 #include "program/exit_code.hpp"
+#include "program/replaceable.hpp"
 
 #include <floe/io/interchange.hpp>
 
@@ -25,12 +26,15 @@ void export_for_others(const ExportOptions& options) {
   if (wamit) {
     const std::filesystem::path stem =
         options.output.empty() ? options.directory / "result" : options.output;
+    for (const char* suffix : {".1", ".3", ".3fk", ".3sc", ".4", ".hst"})
+      require_replaceable(stem.string() + suffix, "file of floe", {"# floe "});
     files = io::write_wamit(run, stem, dofs, options.length);
   } else {
     const char* name = dofs == plate::DofSet::kPlate      ? "result.nc"
                        : dofs == plate::DofSet::kSixRigid ? "result_rigid.nc"
                                                           : "result_all.nc";
     files = {options.output.empty() ? options.directory / name : options.output};
+    require_replaceable(files.front(), "netCDF file", {"\x89HDF", "CDF"});
     io::write_netcdf(run, files.front(), dofs);
   }
   for (const std::filesystem::path& file : files) print(file.string() + "\n");

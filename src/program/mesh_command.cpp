@@ -1,5 +1,6 @@
 #include "program/commands.hpp"
 #include "program/exit_code.hpp"
+#include "program/replaceable.hpp"
 
 #include <floe/mesh/gmsh.hpp>
 #include <floe/mesh/mesh_quality.hpp>
@@ -19,6 +20,7 @@ void make_mesh(const MeshOptions& options) {
       throw UsageError(error.what());  // the sizes came from the command line
     }
   }();
+  require_replaceable(options.output, "Gmsh mesh", {"$MeshFormat"});
   mesh::write_gmsh(options.output, mesh);
   const mesh::MeshQuality quality = mesh::measure_quality(mesh);
   print(fmt::format("{}: {}, {}, {}, {:.6g} m², edges of {:.4g} to {:.4g} m\n",

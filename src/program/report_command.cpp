@@ -1,5 +1,6 @@
 #include "program/commands.hpp"
 #include "program/exit_code.hpp"
+#include "program/replaceable.hpp"
 
 #include <floe/io/report.hpp>
 
@@ -13,6 +14,7 @@ void make_report(const ReportOptions& options) {
   const io::StoredRun run(options.directory);
   const std::filesystem::path output =
       options.output.empty() ? options.directory / "report.html" : options.output;
+  require_replaceable(output, "report", {"<!doctype html", "<!DOCTYPE html"});
   io::write_report(run, output);
   print(fmt::format("{}: open it in a browser ({:.1f} MB, no network needed)\n", output.string(),
                     static_cast<double>(std::filesystem::file_size(output)) / 1e6));

@@ -6,6 +6,7 @@
 #include <floe/io/case_file.hpp>
 #include <floe/io/directory_store.hpp>
 #include <floe/numeric/blas_check.hpp>
+#include <floe/numeric/error.hpp>
 #include <floe/numeric/memory.hpp>
 
 #include <fmt/format.h>
@@ -14,6 +15,10 @@
 
 #include <chrono>
 #include <cmath>
+#include <latch>
+#include <system_error>
+#include <thread>
+#include <vector>
 
 namespace floe::program {
 namespace {
@@ -132,6 +137,23 @@ class ToldStore final : public Store {
   Index finished_ = 0;
 };
 
+// OpenMP ends the program where the system has no more threads
+void require_threads(int count) {
+  std::vector<std::jthread> started;
+  std::latch end(1);
+  try {
+    while (static_cast<int>(started.size()) + 1 < count)
+      started.emplace_back([&end] { end.wait(); });
+  } catch (const std::system_error& error) {
+    end.count_down();
+    throw BudgetError(
+        fmt::format("cannot start {} threads, the system gives {}: {} (give "
+                    "--threads, or raise `ulimit -u`)",
+                    count, started.size() + 1, error.code().message()));
+  }
+  end.count_down();
+}
+
 // Keeps what was finished; a failure on the way out does not hide the first one
 void stop_store(io::DirectoryStore& store, const std::string& why) {
   try {
@@ -160,6 +182,7 @@ void use_threads(int threads, Account& account) {
     account.notice(fmt::format("{} asked for, the process may use {}", counted(threads, "thread"),
                                counted(CPU_COUNT(&allowed), "processor")));
   if (threads > 0) omp_set_num_threads(threads);
+  require_threads(omp_get_max_threads());
 }
 
 Case read_case_for(const RunOptions& options, Account& account) {

@@ -19,6 +19,11 @@ volatile std::sig_atomic_t asked_to_stop = 0;
 timespec asked_at{};
 std::optional<std::chrono::steady_clock::time_point> deadline;  // set once, before any work
 
+double seconds_since_asked(const timespec& now) {
+  return static_cast<double>(now.tv_sec - asked_at.tv_sec) +
+         1e-9 * static_cast<double>(now.tv_nsec - asked_at.tv_nsec);
+}
+
 // A signal to the process and then to its group, as `timeout` sends, is one wish
 extern "C" void ask_to_stop(int signal) {
   timespec now{};
@@ -27,16 +32,15 @@ extern "C" void ask_to_stop(int signal) {
     asked_at = now;
     asked_to_stop = signal;
     static constexpr char kText[] =
-        "\nfloe: stopping when what runs now is finished (once more: at once)\n";
+        "\nfloe: stopping when what runs now is finished, in ten seconds or so (once more: at "
+        "once)\n";
     const int error = errno;
     if (::isatty(STDERR_FILENO) == 1 && ::write(STDERR_FILENO, kText, sizeof kText - 1) < 0) {
     }
     errno = error;
     return;
   }
-  const double since = static_cast<double>(now.tv_sec - asked_at.tv_sec) +
-                       1e-9 * static_cast<double>(now.tv_nsec - asked_at.tv_nsec);
-  if (since > 0.2) ::_exit(128 + signal);
+  if (seconds_since_asked(now) > 0.2) ::_exit(128 + signal);
 }
 
 void open_closed_streams() {
@@ -72,10 +76,16 @@ void limit_time(double seconds) {
                  std::chrono::duration<double>(seconds));
 }
 
-void stop_if_asked() {
-  if (asked_to_stop == SIGUSR1) throw TimeUp{"SIGUSR1"};
-  if (asked_to_stop != 0) throw Interrupted{asked_to_stop};
-  if (deadline && std::chrono::steady_clock::now() > *deadline) throw TimeUp{};
+void stop_if_asked(double patience) {
+  if (asked_to_stop != 0) {
+    timespec now{};
+    ::clock_gettime(CLOCK_MONOTONIC, &now);
+    if (seconds_since_asked(now) < patience) return;
+    if (asked_to_stop == SIGUSR1) throw TimeUp{"SIGUSR1"};
+    throw Interrupted{asked_to_stop};
+  }
+  const std::chrono::duration<double> grace(patience);
+  if (deadline && std::chrono::steady_clock::now() > *deadline + grace) throw TimeUp{};
 }
 
 }  // namespace floe::program

@@ -22,7 +22,8 @@ void prepare_process();
 /// From here on `seconds` are left; later calls to stop_if_asked throw TimeUp.
 void limit_time(double seconds);
 
-/// Throws Interrupted when a stop was asked for, TimeUp when the time is over.
-void stop_if_asked();
+/// Throws Interrupted when a stop was asked for, TimeUp when the time is over; `patience` seconds
+/// later.
+void stop_if_asked(double patience = 0.0);
 
 }  // namespace floe::program

@@ -50,6 +50,19 @@ std::vector<Fault> disk_faults() {
        run + " -o /proc/floe.out"},
       {58, "NoOutputName", 2, "invalid -o = ", kCaseText, run + " -o ''"},
       {59, "ResultsOfTheSameCase", 9, "--fresh", kCaseText, run, run_before},
+      {59, "ReportOverAnotherFile", 9,
+       "case.toml is there already and is no report (give another name with -o, or remove it)",
+       kCaseText, "report case.out -o case.toml", run_before},
+      {59, "NetcdfOverAnotherFile", 9, "case.toml is there already and is no netCDF file",
+       kCaseText, "export case.out --format netcdf -o case.toml", run_before},
+      {59, "WamitOverAnotherFile", 9, "case.1 is there already and is no file of floe", kCaseText,
+       "export case.out --format wamit --length 300 -o case",
+       [](const TestFolder& folder) {
+         run_before(folder);
+         folder.write("case.1", "mine");
+       }},
+      {59, "MeshOverAnotherFile", 9, "case.toml is there already and is no Gmsh mesh", kCaseText,
+       "mesh rectangle --length 10 --width 10 --nx 2 --ny 2 -o case.toml"},
       {59, "ResultsOfAnotherCase", 9, "--fresh", kCaseText, run,
        run_of(with("thickness = 2.0", "thickness = 3.0"))},
       {59, "FilesOfTheSameNames", 9, "", kCaseText, run,

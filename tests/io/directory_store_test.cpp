@@ -226,6 +226,24 @@ TEST(DirectoryStore, NeverWritesANumberThatIsNotFinite) {
       EXPECT_NE(row[0], "0.5") << name << " keeps finished frequencies only";
 }
 
+TEST(DirectoryStore, TellsOfMixedProcessors) {
+  const TestFolder folder;
+  const mesh::Q8Mesh mesh = small_mesh();
+  DirectoryStore store(folder.path() / "out");
+  store.begin(small_case(), mesh, estimate(small_case(), mesh, nullptr, 1));
+  store.modes(small_modes(), mesh);
+  for (const auto& [omega, kind] : {std::pair{0.4, "Zen"}, std::pair{0.5, "Haswell"}}) {
+    FrequencyResult result = small_result(omega);
+    result.report.processor = kind;
+    store.frequency(result);
+  }
+  store.finish({});
+  const auto run = nlohmann::json::parse(folder.read("out/run.json"));
+  EXPECT_EQ(run.at("plan").at("processors"), nlohmann::json({"Haswell", "Zen"}));
+  EXPECT_THAT(run.at("warnings").back().get<std::string>(),
+              HasSubstr("frequencies were solved by Haswell and by Zen (results agree"));
+}
+
 TEST(DirectoryStore, RefusesADirectoryWithResults) {
   const TestFolder folder;
   store_all(folder.path() / "out");

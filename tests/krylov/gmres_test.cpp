@@ -294,6 +294,18 @@ TEST(Gmres, ReportsWhatIsNotFinite) {
   EXPECT_THAT(message_of(MatrixOperator(matrix), b, {}), testing::HasSubstr("is not finite"));
 }
 
+TEST(Gmres, MayBeStoppedBeforeAnyStep) {
+  const MatXcd matrix = second_kind(40, 0.5), b = noise(40, 2, 13);
+  MatXcd x(40, 2);
+  int steps = 0;
+  GmresOptions options;
+  options.before_step = [&] {
+    if (++steps == 3) throw std::runtime_error("stop");
+  };
+  EXPECT_THROW(solve_gmres(MatrixOperator(matrix), {}, b, x, options), std::runtime_error);
+  EXPECT_EQ(steps, 3);
+}
+
 TEST(Gmres, HasTheSameBitsForAnyNumberOfThreads) {
   const Index n = 5000;
   const Chain a(n);

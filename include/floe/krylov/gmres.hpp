@@ -3,6 +3,7 @@
 #include <floe/krylov/linear_operator.hpp>
 #include <floe/numeric/types.hpp>
 
+#include <functional>
 #include <limits>
 
 namespace floe::krylov {
@@ -42,6 +43,8 @@ struct GmresOptions {
   /// Share of a residual to which the cheaper operator's steps bring it down before A is asked
   /// again; they stop there because the difference of the operators is not much smaller.
   double step_reduction = 1e-3;
+  /// Called before each step; what it throws ends the iteration. May be empty.
+  std::function<void()> before_step = {};
 };
 
 struct GmresReport {

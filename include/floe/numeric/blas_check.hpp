@@ -14,4 +14,8 @@ void require_working_blas();
 /// (Haswell)"; "unknown" where it does not tell.
 std::string blas_name();
 
+/// What decides the last bits of results: the processor core for which BLAS has chosen its kernels
+/// and the widest vectors, "Zen, 32-byte vectors".
+std::string processor_kind();
+
 }  // namespace floe::numeric
