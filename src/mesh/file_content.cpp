@@ -23,6 +23,7 @@ std::string counted(Index count, const std::string& singular) {
 struct Quads {
   std::vector<Eigen::Vector3d> nodes;
   Connectivity elements;
+  MeshLabels labels;
   Index raised = 0;        // quads with 4 nodes
   Index centre_nodes = 0;  // dropped with their quads' ninth node
   Index unused_nodes = 0;  // dropped, no quad has them
@@ -44,11 +45,13 @@ Quads gather_quads(const FileContent& content) {
     if (number[n] != kUsed) continue;
     number[n] = static_cast<Index>(quads.nodes.size());
     quads.nodes.push_back(content.coordinates[n]);
+    if (!content.tags.empty()) quads.labels.nodes.push_back(content.tags[n]);
   }
   for (Index e = 0; e < quads.elements.cols(); ++e) {
     const FileQuad& quad = content.quads[e];
     for (int a = 0; a < 8; ++a)
       quads.elements(a, e) = a < quad.node_count ? number[quad.nodes[a]] : -1;
+    if (quad.tag > 0) quads.labels.elements.push_back(quad.tag);
   }
   return quads;
 }
@@ -136,9 +139,11 @@ MeshFile make_mesh_file(const FileContent& content, const std::string& file_name
     refuse_other_elements(content);
     Quads quads = gather_quads(content);
     if (quads.raised > 0) raise_to_eight_nodes(quads);
+    if (!quads.labels.nodes.empty()) quads.labels.nodes.resize(quads.nodes.size(), 0);
+    if (quads.labels.elements.size() != content.quads.size()) quads.labels.elements.clear();
     std::vector<std::string> notices = make_notices(content, quads);
-    return {Q8Mesh(plane_nodes(quads.nodes), std::move(quads.elements)), std::move(notices),
-            content.groups};
+    return {Q8Mesh(plane_nodes(quads.nodes), std::move(quads.elements), quads.labels),
+            std::move(notices), content.groups};
   } catch (const MeshError& error) {
     throw MeshError(file_name + ": " + error.what());
   }

@@ -3,6 +3,7 @@
 #include <floe/mesh/mesh_file.hpp>
 
 #include <array>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -14,11 +15,13 @@ namespace floe::mesh {
 struct FileQuad {
   int node_count;  ///< 4, 8 or 9
   std::array<Index, 9> nodes;
+  std::int64_t tag = 0;  ///< in the file; 0: it numbers no elements
 };
 
 /// What stands in a mesh file of any format, before it is made a mesh.
 struct FileContent {
   std::vector<Eigen::Vector3d> coordinates;  ///< in the order of the file [m]
+  std::vector<std::int64_t> tags;            ///< of the nodes; empty: the file numbers none
   std::vector<FileQuad> quads;
   std::vector<ElementGroup> groups;  ///< of quads
   Index point_elements = 0;

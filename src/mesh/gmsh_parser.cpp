@@ -166,6 +166,7 @@ class GmshParser {
 
   void reserve_nodes(std::int64_t count) {
     content_.coordinates.reserve(static_cast<std::size_t>(count));
+    content_.tags.reserve(static_cast<std::size_t>(count));
     node_of_tag_.reserve(static_cast<std::size_t>(count));
   }
 
@@ -173,6 +174,7 @@ class GmshParser {
     if (tag < 1) scan_.fail("node tag", tag, "must be positive");
     if (!node_of_tag_.emplace(tag, static_cast<Index>(node)).second)
       scan_.fail("node tag", tag, "must stand once");
+    content_.tags.push_back(tag);
   }
 
   Eigen::Vector3d read_position() {
@@ -196,7 +198,7 @@ class GmshParser {
     scan_.demand_room(count, 8, "element count");
     for (std::int64_t done = 0; done < count;) {
       // ASCII: number, type, tags; binary: type, elements of that type, tags, then each number
-      if (!scan_.binary()) scan_.integer("element number");
+      std::int64_t number = scan_.binary() ? 0 : scan_.integer("element number");
       const GmshElementType& type = read_type();
       const std::int64_t block = scan_.binary() ? scan_.integer("elements in block") : 1;
       if (block < 1 || block > count - done)
@@ -204,13 +206,13 @@ class GmshParser {
       const std::int64_t tags = scan_.integer("tag count");
       scan_.demand_room(tags, scan_.binary() ? 4 : 2, "tag count");
       for (std::int64_t i = 0; i < block; ++i) {
-        if (scan_.binary()) scan_.integer("element number");
+        if (scan_.binary()) number = scan_.integer("element number");
         std::int64_t physical = 0;  // the first tag; 0 means none
         for (std::int64_t t = 0; t < tags; ++t) {
           const std::int64_t tag = scan_.integer("element tag");
           if (t == 0) physical = tag;
         }
-        read_element(type);
+        read_element(type, number);
         if (is_quad(type) && physical != 0) groups_.put_element(physical, last_quad());
       }
       done += block;
@@ -233,8 +235,7 @@ class GmshParser {
       if (in_block > left)
         scan_.fail("elements in block", in_block, "must be at most " + std::to_string(left));
       for (std::int64_t i = 0; i < in_block; ++i) {
-        scan_.size("element tag");
-        read_element(type);
+        read_element(type, scan_.size("element tag"));
         if (is_quad(type)) groups_.put_element_of(entity, last_quad());
       }
       left -= in_block;
@@ -255,8 +256,8 @@ class GmshParser {
   }
   Index last_quad() const { return static_cast<Index>(content_.quads.size()) - 1; }
 
-  void read_element(const GmshElementType& type) {
-    FileQuad quad{type.nodes, {}};
+  void read_element(const GmshElementType& type, std::int64_t number) {
+    FileQuad quad{type.nodes, {}, number};
     const bool quadrilateral = is_quad(type);
     for (int a = 0; a < type.nodes; ++a) {
       const std::int64_t tag =

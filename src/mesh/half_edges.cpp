@@ -10,16 +10,19 @@ namespace floe::mesh {
 namespace {
 
 // "3 and 4" or "3, 4 and 9": the elements of an edge, from 1
-std::string element_list(std::span<const HalfEdge> edge) {
+std::string element_list(std::span<const HalfEdge> edge, const MeshLabels& labels) {
   std::ostringstream text;
   for (std::size_t i = 0; i < edge.size(); ++i)
-    text << (i == 0 ? "" : i + 1 == edge.size() ? " and " : ", ") << edge[i].element + 1;
+    text << (i == 0                 ? ""
+             : i + 1 == edge.size() ? " and "
+                                    : ", ")
+         << labels.element(edge[i].element);
   return text.str();
 }
 
 // Mid-side nodes that are a corner of another element, or the middle of two edges
 void check_middles(const Points2& nodes, const Connectivity& elements,
-                   std::span<const HalfEdge> half_edges) {
+                   std::span<const HalfEdge> half_edges, const MeshLabels& labels) {
   std::vector<Index> corner_of(nodes.cols(), -1);
   for (Index e = 0; e < elements.cols(); ++e)
     for (int a = 0; a < 4; ++a) corner_of[elements(a, e)] = e;
@@ -30,9 +33,9 @@ void check_middles(const Points2& nodes, const Connectivity& elements,
     const Index node = edge[0].middle;
     const Index other = corner_of[node] >= 0 ? corner_of[node] : middle_of[node];
     if (other >= 0)
-      culprits.add("node ", node + 1, " at ", at(nodes.col(node)),
-                   " in the middle of an edge of element ", edge[0].element + 1,
-                   " belongs to another edge of element ", other + 1);
+      culprits.add("node ", labels.node(node), " at ", at(nodes.col(node)),
+                   " in the middle of an edge of element ", labels.element(edge[0].element),
+                   " belongs to another edge of element ", labels.element(other));
     middle_of[node] = edge[0].element;
   });
   culprits.throw_if_any("hanging nodes", "elements must meet along whole edges");
@@ -55,7 +58,8 @@ std::vector<HalfEdge> sorted_half_edges(const Connectivity& elements) {
   return half_edges;
 }
 
-void check_duplicate_elements(const Points2& nodes, const Connectivity& elements) {
+void check_duplicate_elements(const Points2& nodes, const Connectivity& elements,
+                              const MeshLabels& labels) {
   struct Corners {
     std::array<Index, 4> sorted;
     Index element;
@@ -72,19 +76,20 @@ void check_duplicate_elements(const Points2& nodes, const Connectivity& elements
   Culprits culprits;
   for (std::size_t i = 1; i < all.size(); ++i)
     if (all[i].sorted == all[i - 1].sorted)
-      culprits.add("elements ", all[i - 1].element + 1, " and ", all[i].element + 1, " at ",
+      culprits.add("elements ", labels.element(all[i - 1].element), " and ",
+                   labels.element(all[i].element), " at ",
                    at(nodes.col(elements(0, all[i].element))));
   culprits.throw_if_any("duplicate elements", "each must stand once");
 }
 
 void check_edges(const Points2& nodes, const Connectivity& elements,
-                 std::span<const HalfEdge> half_edges) {
+                 std::span<const HalfEdge> half_edges, const MeshLabels& labels) {
   Culprits crowded, same_side, split;
   for_each_edge(half_edges, [&](std::span<const HalfEdge> edge) {
     const HalfEdge& first = edge[0];
     const auto describe = [&](Culprits& culprits) {
-      culprits.add("edge ", first.low + 1, "-", first.high + 1, " at ", at(nodes.col(first.middle)),
-                   " of elements ", element_list(edge));
+      culprits.add("edge ", labels.node(first.low), "-", labels.node(first.high), " at ",
+                   at(nodes.col(first.middle)), " of elements ", element_list(edge, labels));
     };
     if (edge.size() > 2) return describe(crowded);
     if (edge.size() < 2) return;
@@ -95,7 +100,7 @@ void check_edges(const Points2& nodes, const Connectivity& elements,
   same_side.throw_if_any("edges with overlapping elements",
                          "two elements must lie on the two sides of their edge");
   split.throw_if_any("edges with two mid-side nodes", "both elements must use the same one");
-  check_middles(nodes, elements, half_edges);
+  check_middles(nodes, elements, half_edges, labels);
 }
 
 }  // namespace floe::mesh

@@ -32,11 +32,12 @@ void for_each_edge(std::span<const HalfEdge> half_edges, const Visit& visit) {
 }
 
 /// No element stands twice.
-void check_duplicate_elements(const Points2& nodes, const Connectivity& elements);
+void check_duplicate_elements(const Points2& nodes, const Connectivity& elements,
+                              const MeshLabels& labels);
 
 /// An edge belongs to one element, or to two on its two sides, with one mid-side node; a mid-side
 /// node belongs to one edge and is nobody's corner.
 void check_edges(const Points2& nodes, const Connectivity& elements,
-                 std::span<const HalfEdge> half_edges);
+                 std::span<const HalfEdge> half_edges, const MeshLabels& labels);
 
 }  // namespace floe::mesh

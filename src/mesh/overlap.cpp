@@ -54,7 +54,7 @@ double corner_angle(const ElementNodes& points, int corner) {
   return angle < -0.1 ? angle + 2.0 * std::numbers::pi : std::max(angle, 0.0);
 }
 
-void check_angles(const Points2& nodes, const Connectivity& elements) {
+void check_angles(const Points2& nodes, const Connectivity& elements, const MeshLabels& labels) {
   std::vector<double> sum(nodes.cols(), 0.0);
   for (Index e = 0; e < elements.cols(); ++e) {
     const ElementNodes points = gather_nodes(nodes, elements, e);
@@ -65,14 +65,14 @@ void check_angles(const Points2& nodes, const Connectivity& elements) {
   Culprits culprits;
   for (Index n = 0; n < nodes.cols(); ++n)
     if (sum[n] > 2.0 * std::numbers::pi + 0.01)
-      culprits.add("node ", n + 1, " at ", at(nodes.col(n)), " with ",
+      culprits.add("node ", labels.node(n), " at ", at(nodes.col(n)), " with ",
                    sum[n] * 180.0 / std::numbers::pi, " degrees");
   culprits.throw_if_any("nodes with overlapping elements",
                         "the elements around a node must fill 360 degrees at most");
 }
 
 void check_hanging_nodes(const Points2& nodes, const std::vector<BoundaryEdge>& boundary,
-                         const BoxTree& tree, double tolerance) {
+                         const BoxTree& tree, double tolerance, const MeshLabels& labels) {
   Culprits culprits;
   for (const BoundaryEdge& owner : boundary)
     for (const int which : {0, 2}) {  // the end is the start of the next edge
@@ -82,8 +82,9 @@ void check_hanging_nodes(const Points2& nodes, const std::vector<BoundaryEdge>& 
       tree.visit(box_around(place, tolerance), [&](Index i) {
         const BoundaryEdge& edge = boundary[i];
         if (edge.owns(node) || nearest_point(edge.curve, place).distance > tolerance) return;
-        culprits.add("node ", node + 1, " at ", at(place), " of element ", owner.element + 1,
-                     " on an edge of element ", edge.element + 1);
+        culprits.add("node ", labels.node(node), " at ", at(place), " of element ",
+                     labels.element(owner.element), " on an edge of element ",
+                     labels.element(edge.element));
       });
     }
   culprits.throw_if_any("hanging nodes", "elements must meet along whole edges", true);
@@ -102,20 +103,20 @@ bool edges_cross(const BoundaryEdge& a, const BoundaryEdge& b, double flatness) 
 }
 
 void check_crossing_edges(const std::vector<BoundaryEdge>& boundary, const BoxTree& tree,
-                          double tolerance) {
+                          double tolerance, const MeshLabels& labels) {
   Culprits culprits;
   for (Index i = 0; i < static_cast<Index>(boundary.size()) && !culprits.full(); ++i)
     tree.visit(boundary[i].curve.box(0.0), [&](Index j) {
       if (j <= i || culprits.full()) return;
       if (!edges_cross(boundary[i], boundary[j], 1e-3 * tolerance)) return;
-      culprits.add("elements ", boundary[i].element + 1, " and ", boundary[j].element + 1, " at ",
-                   at(boundary[i].curve.point(0.5)));
+      culprits.add("elements ", labels.element(boundary[i].element), " and ",
+                   labels.element(boundary[j].element), " at ", at(boundary[i].curve.point(0.5)));
     });
   culprits.throw_if_any("overlapping elements", "their edges must not cross", true);
 }
 
 void check_buried_nodes(const Points2& nodes, const Connectivity& elements,
-                        const std::vector<BoundaryEdge>& boundary) {
+                        const std::vector<BoundaryEdge>& boundary, const MeshLabels& labels) {
   std::vector<Box> boxes;
   for (Index e = 0; e < elements.cols(); ++e)
     boxes.push_back(element_box(gather_nodes(nodes, elements, e)));
@@ -127,7 +128,8 @@ void check_buried_nodes(const Points2& nodes, const Connectivity& elements,
     tree.visit(box_around(nodes.col(node), 0.0), [&](Index e) {
       if ((elements.col(e).array() == node).any() || culprits.full()) return;
       if (!find_parametric(gather_nodes(nodes, elements, e), nodes.col(node))) return;
-      culprits.add("elements ", owner.element + 1, " and ", e + 1, " at ", at(nodes.col(node)));
+      culprits.add("elements ", labels.element(owner.element), " and ", labels.element(e), " at ",
+                   at(nodes.col(node)));
     });
   }
   culprits.throw_if_any("overlapping elements", "none may lie on another", true);
@@ -136,13 +138,14 @@ void check_buried_nodes(const Points2& nodes, const Connectivity& elements,
 }  // namespace
 
 void check_overlap(const Points2& nodes, const Connectivity& elements,
-                   std::span<const HalfEdge> half_edges, double tolerance) {
-  check_angles(nodes, elements);
+                   std::span<const HalfEdge> half_edges, double tolerance,
+                   const MeshLabels& labels) {
+  check_angles(nodes, elements, labels);
   const std::vector<BoundaryEdge> boundary = boundary_edges(nodes, elements, half_edges);
   const BoxTree tree = edge_tree(boundary);
-  check_hanging_nodes(nodes, boundary, tree, tolerance);
-  check_crossing_edges(boundary, tree, tolerance);
-  check_buried_nodes(nodes, elements, boundary);
+  check_hanging_nodes(nodes, boundary, tree, tolerance, labels);
+  check_crossing_edges(boundary, tree, tolerance, labels);
+  check_buried_nodes(nodes, elements, boundary, labels);
 }
 
 }  // namespace floe::mesh

@@ -18,6 +18,7 @@ namespace floe::mesh {
 /// So, but for the angles, work is spent at the boundary only. A boundary node within `tolerance`
 /// [m] of a boundary edge that it does not belong to hangs there (T-junction, unmerged pieces).
 void check_overlap(const Points2& nodes, const Connectivity& elements,
-                   std::span<const HalfEdge> half_edges, double tolerance);
+                   std::span<const HalfEdge> half_edges, double tolerance,
+                   const MeshLabels& labels);
 
 }  // namespace floe::mesh

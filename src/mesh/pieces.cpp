@@ -16,7 +16,7 @@ Index find_root(std::vector<Index>& parent, Index element) {
 }  // namespace
 
 Pieces find_pieces(const Points2& nodes, const Connectivity& elements,
-                   std::span<const HalfEdge> half_edges) {
+                   std::span<const HalfEdge> half_edges, const MeshLabels& labels) {
   // Join elements across their edges; the root is the first element of its piece
   std::vector<Index> parent(elements.cols());
   std::iota(parent.begin(), parent.end(), Index{0});
@@ -37,8 +37,8 @@ Pieces find_pieces(const Points2& nodes, const Connectivity& elements,
     for (int a = 0; a < 8; ++a) {
       int& piece = pieces.of_node[elements(a, e)];
       if (piece >= 0 && piece != pieces.of_element[e])
-        culprits.add("node ", elements(a, e) + 1, " at ", at(nodes.col(elements(a, e))),
-                     " of element ", e + 1);
+        culprits.add("node ", labels.node(elements(a, e)), " at ", at(nodes.col(elements(a, e))),
+                     " of element ", labels.element(e));
       piece = pieces.of_element[e];
     }
   }

@@ -19,6 +19,6 @@ struct Pieces {
 /// Elements are connected across shared edges. Throws MeshError where pieces share a node but no
 /// edge: a joint of no width, whose stiffness would be that of the mesh and not of the plate.
 Pieces find_pieces(const Points2& nodes, const Connectivity& elements,
-                   std::span<const HalfEdge> half_edges);
+                   std::span<const HalfEdge> half_edges, const MeshLabels& labels);
 
 }  // namespace floe::mesh

@@ -24,38 +24,40 @@ constexpr double kSmallestJacobian = 1e-10;
 // Least tolerance relative to the size: what rounding leaves of coordinates
 constexpr double kLeastTolerance = 1e-14;
 
-void check_coordinates(const Points2& nodes) {
+void check_coordinates(const Points2& nodes, const MeshLabels& labels) {
   Culprits culprits;
   for (Index n = 0; n < nodes.cols(); ++n)
     if (!(nodes.col(n).cwiseAbs().maxCoeff() <= kLargestCoordinate) || !nodes.col(n).allFinite())
-      culprits.add("node ", n + 1, " at ", at(nodes.col(n)));
+      culprits.add("node ", labels.node(n), " at ", at(nodes.col(n)));
   culprits.throw_if_any("nodes with unusable coordinates",
                         "coordinates must be finite, 1e9 m at most");
 }
 
-void check_indices(Index node_count, const Connectivity& elements) {
+void check_indices(Index node_count, const Connectivity& elements, const MeshLabels& labels) {
   Culprits outside, repeated;
   for (Index e = 0; e < elements.cols(); ++e) {
     std::array<Index, 8> index;
     std::copy_n(elements.col(e).data(), 8, index.begin());
     std::sort(index.begin(), index.end());
     if (index.front() < 0 || index.back() >= node_count)
-      outside.add("element ", e + 1, " has node ",
+      outside.add("element ", labels.element(e), " has node ",
                   (index.front() < 0 ? index.front() : index.back()) + 1);
     const auto twice = std::adjacent_find(index.begin(), index.end());
-    if (twice != index.end()) repeated.add("element ", e + 1, " has node ", *twice + 1, " twice");
+    if (twice != index.end())
+      repeated.add("element ", labels.element(e), " has node ", labels.node(*twice), " twice");
   }
   outside.throw_if_any("elements with a node out of range",
                        "nodes are numbered 1 to " + std::to_string(node_count));
   repeated.throw_if_any("elements with a repeated node", "eight nodes must differ");
 }
 
-void check_all_nodes_used(const Points2& nodes, const Connectivity& elements) {
+void check_all_nodes_used(const Points2& nodes, const Connectivity& elements,
+                          const MeshLabels& labels) {
   std::vector<bool> used(nodes.cols(), false);
   for (const Index n : elements.reshaped()) used[n] = true;
   Culprits culprits;
   for (Index n = 0; n < nodes.cols(); ++n)
-    if (!used[n]) culprits.add("node ", n + 1, " at ", at(nodes.col(n)));
+    if (!used[n]) culprits.add("node ", labels.node(n), " at ", at(nodes.col(n)));
   culprits.throw_if_any("unused nodes", "every node must belong to an element");
 }
 
@@ -94,12 +96,12 @@ struct Cell {
 
 }  // namespace
 
-void check_arrays(const Points2& nodes, const Connectivity& elements) {
+void check_arrays(const Points2& nodes, const Connectivity& elements, const MeshLabels& labels) {
   FLOE_VALIDATE_AS(MeshError, elements.cols() > 0,
                    "invalid mesh: elements = 0 (must be at least 1)");
-  check_coordinates(nodes);
-  check_indices(nodes.cols(), elements);
-  check_all_nodes_used(nodes, elements);
+  check_coordinates(nodes, labels);
+  check_indices(nodes.cols(), elements, labels);
+  check_all_nodes_used(nodes, elements, labels);
   const double size = (nodes.rowwise().maxCoeff() - nodes.rowwise().minCoeff()).maxCoeff();
   FLOE_VALIDATE_AS(
       MeshError, size >= kSmallestSize,
@@ -111,7 +113,7 @@ void check_arrays(const Points2& nodes, const Connectivity& elements) {
                        << " m: shift the mesh to the origin)");
 }
 
-Index orient_elements(const Points2& nodes, Connectivity& elements) {
+Index orient_elements(const Points2& nodes, Connectivity& elements, const MeshLabels& labels) {
   Index turned = 0;
   Culprits culprits;
   for (Index e = 0; e < elements.cols(); ++e) {
@@ -125,7 +127,7 @@ Index orient_elements(const Points2& nodes, Connectivity& elements) {
       ++turned;
       continue;
     }
-    culprits.add("element ", e + 1, " at ", at(points.leftCols<4>().rowwise().mean()),
+    culprits.add("element ", labels.element(e), " at ", at(points.leftCols<4>().rowwise().mean()),
                  ": det J = ", range.smallest, " to ", range.largest, " m²");
   }
   culprits.throw_if_any("degenerate or folded elements",
@@ -144,7 +146,7 @@ double merge_tolerance(const Points2& nodes, const Connectivity& elements, doubl
   return std::max(std::min(kRelativeTolerance * size, 1e-3 * *median), kLeastTolerance * size);
 }
 
-void check_coincident_nodes(const Points2& nodes, double tolerance) {
+void check_coincident_nodes(const Points2& nodes, double tolerance, const MeshLabels& labels) {
   // Sort the nodes into cells, row by row
   const Point2 lower = nodes.rowwise().minCoeff();
   std::vector<Cell> cells(nodes.cols());
@@ -161,8 +163,8 @@ void check_coincident_nodes(const Points2& nodes, double tolerance) {
       const Cell& other = cells[i];
       if (other.row != row || other.column > cell.column + 1) return false;
       if ((nodes.col(cell.node) - nodes.col(other.node)).norm() > tolerance) continue;
-      culprits.add("nodes ", std::min(cell.node, other.node) + 1, " and ",
-                   std::max(cell.node, other.node) + 1, " at ", at(nodes.col(cell.node)));
+      culprits.add("nodes ", labels.node(std::min(cell.node, other.node)), " and ",
+                   labels.node(std::max(cell.node, other.node)), " at ", at(nodes.col(cell.node)));
       return true;
     }
     return false;

@@ -113,7 +113,7 @@ class CellReader {
   }
 
   FileQuad quad(std::size_t cell, std::int64_t first, int nodes) const {
-    FileQuad quad{nodes, {}};
+    FileQuad quad{nodes, {}, 0};
     for (int a = 0; a < nodes; ++a) {
       const std::int64_t node = connectivity_[first + a];
       if (node < 0 || node >= points_)

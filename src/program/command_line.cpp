@@ -67,7 +67,9 @@ void add_case_flags(CLI::App& command, Choice& choice) {
         return error == std::errc() && end == text.data() + text.size() && value >= 1 &&
                value <= 1024;
       }));
-  command.add_option("--memory", choice.memory, "memory to stay below, like 16G")
+  command
+      .add_option("--memory", choice.memory,
+                  "memory to stay below and to plan for, like 16G (else 12G are planned for)")
       ->type_name("BYTES");
   command.add_flag("--allow-coarse", choice.run.allow_coarse,
                    "go on with fewer than 2 nodes per wavelength");

@@ -52,6 +52,17 @@ TEST(GmshErrors, PassesOnWhatTheMeshRefuses) {
               AllOf(HasSubstr("a.msh: invalid mesh: "), HasSubstr("element 1")));
 }
 
+// The corner 2 of the square has the tag 72 here, the element 900
+TEST(GmshErrors, NamesNodesAndElementsByTheirTags) {
+  std::string text = replaced(square_22(), "\n2 2 0 0\n", "\n72 2 0 0\n");
+  text = replaced(text, "1 16 2 0 1 1 2 3 4 5 6 7 8", "900 16 2 0 1 1 72 3 4 5 6 7 8");
+  EXPECT_EQ(error_of(text), "");
+  EXPECT_THAT(error_of(replaced(text, "1 72 3 4 5", "1 3 72 4 5")),
+              AllOf(HasSubstr("a.msh: invalid mesh: "), HasSubstr("element 900 at ")));
+  EXPECT_THAT(error_of(replaced(text, "1 72 3 4 5", "1 72 72 4 5")),
+              HasSubstr("element 900 has node 72 twice"));
+}
+
 TEST(GmshErrors, NamesTheLineOfABadNumber) {
   EXPECT_THAT(error_of(replaced(square_22(), "6 2 1 0", "6 2 one 0")),
               HasSubstr("a.msh:11: invalid coordinate y = 'one' (must be a finite number)"));

@@ -2,6 +2,7 @@
 
 #include <floe/numeric/types.hpp>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -10,20 +11,30 @@ namespace floe::mesh {
 /// Node indices of each element, one element a column, order as in shape_functions.hpp.
 using Connectivity = Eigen::Matrix<Index, 8, Eigen::Dynamic>;
 
+/// How nodes and elements are called in messages.
+struct MeshLabels {
+  std::vector<std::int64_t> nodes = {};  ///< tags in a file, or empty; 0: the file has no such node
+  std::vector<std::int64_t> elements = {};  ///< tags in a file, or empty
+
+  /// The tag, or the number from 1 where there are no tags.
+  std::string node(Index node) const;
+  std::string element(Index element) const;
+};
+
 /// A plane mesh of 8-node quadrilaterals on z = 0: validated, oriented counter-clockwise,
 /// immutable. Several separate pieces (connected components) are allowed.
 class Q8Mesh {
  public:
   /// Checks and takes over `nodes` (2 × N, [m]) and `elements` (8 × E, 0-based).
   /// Clockwise elements are turned; how many is told by `reoriented_count`.
-  /// Throws MeshError naming the first ten culprits, numbered from 1, when: there is no element; a
+  /// Throws MeshError naming the first ten culprits, by their labels, when: there is no element; a
   /// coordinate is not finite or beyond 1e9 m; an index is out of range or repeated within an
   /// element; a node is unused; det J has no single sign over an element's 3 × 3 Gauss points; two
   /// nodes coincide (to 1e-6 of the size, or 1e-3 of the median element if that is less); an
   /// element stands twice or elements overlap; an edge is shared by more than two elements or with
   /// another mid-side node; a node lies on an edge of an element that does not own it (T-junction,
   /// unmerged pieces); pieces share a node but no edge. Takes about half a microsecond a node.
-  Q8Mesh(Points2 nodes, Connectivity elements);
+  Q8Mesh(Points2 nodes, Connectivity elements, const MeshLabels& labels = {});
 
   Index node_count() const { return nodes_.cols(); }
   Index element_count() const { return elements_.cols(); }
