@@ -77,10 +77,11 @@ bool look_like_radians(const std::vector<double>& headings) {
 
 void read_headings(const Section& waves, Case& data) {
   const NumberList list = waves.numbers("heading_deg", heading_rule());
-  for (const double heading : list.value)
-    if (std::find(data.heading_deg.begin(), data.heading_deg.end(), heading) ==
-        data.heading_deg.end())
+  for (const double heading : list.value) {
+    const auto same = [&](double other) { return std::remainder(heading - other, 360.0) == 0.0; };
+    if (std::none_of(data.heading_deg.begin(), data.heading_deg.end(), same))
       data.heading_deg.push_back(heading);
+  }
   const std::size_t duplicates = list.value.size() - data.heading_deg.size();
   if (duplicates > 0)
     waves.source().notices.push_back(

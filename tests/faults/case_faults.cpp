@@ -213,6 +213,8 @@ std::vector<Fault> wrong_physics() {
        with("256.25", "0.25625")},
       {13, "ThicknessInMillimetres", 0, "thick plate: thickness = 2000 m, shorter side = 60 m",
        with("thickness = 2.0", "thickness = 2000.0")},
+      {15, "HeadingGivenTwiceAFullTurnApart", 0, "waves.heading_deg: 2 given twice dropped",
+       with("[0, 30]", "[0, 30, 360, -330]")},
       {15, "HeadingInRadians", 0, "look like radians (did you mean degrees?)",
        with("[0, 30]", "[0, 0.7854]")},
   };

@@ -16,8 +16,9 @@ namespace floe::fmm {
 ///
 /// An engine is a far part, fast and approximate, plus direct sums over near pairs:
 ///   apply = far_apply + Σ_{j near i} (G(|x_i - y_j|) - far_value(i, j)) q_j
-/// The boundary element operator takes the far part alone and stores one near matrix of its own:
-/// its exact near integrals minus what the engine already gave. So no near pair is summed twice.
+/// The far part stands by itself for callers that know their near pairs better and store one matrix
+/// of them, minus what the engine already gave. (The boundary element operator takes the whole, and
+/// corrects the few elements around each node.)
 class KernelSum {
  public:
   virtual ~KernelSum() = default;
