@@ -28,6 +28,7 @@ RunAccount account_of(const StoredRun& run, const mesh::Q8Mesh& mesh) {
 
 std::string status_of(const StoredRun& run, const Exported& exported) {
   if (exported.complete()) return "complete";
+  if (exported.missing.empty() && !exported.seas_missing) return kFailed;
   return run.status() == "running" ? "stopped without notice" : run.status();
 }
 
@@ -52,9 +53,8 @@ Exported export_run(const std::filesystem::path& directory) {
     ++exported.planned;
     if (run.has_frequency(i))
       static_cast<void>(run.frequency(i));
-    else
+    else if (run.failure(i).empty())
       exported.missing.push_back(data.omega[i]);
-    static_cast<void>(run.failure(i));
   }
   exported.seas_missing = run.wants_seas() && !run.finished_seas();
   const bool spectra = std::filesystem::exists(directory / NodeSpectraFile::kName);
@@ -76,7 +76,7 @@ Exported export_run(const std::filesystem::path& directory) {
     for (const SeaResult& sea : seas) products.sea(sea);
     products.end_seas(*grid);
   }
-  products.end(exported.unsolved.empty() ? status_of(run, exported) : kFailed);
+  products.end(status_of(run, exported));
   exported.files = products.account.files;
   return exported;
 }

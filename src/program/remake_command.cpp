@@ -22,12 +22,12 @@ std::string list_frequencies(const std::vector<double>& omega) {
 
 std::string describe_missing(const io::Exported& exported) {
   std::string text;
-  if (!exported.unsolved.empty())
-    text = exported.unsolved;
-  else if (!exported.missing.empty())
-    text = fmt::format("{} of {} frequencies are not solved: {} rad/s", exported.missing.size(),
-                       exported.planned, list_frequencies(exported.missing));
-  if (exported.seas_missing) text += text.empty() ? "the seas are not done" : "; nor are the seas";
+  const auto add = [&](const std::string& part) { text += (text.empty() ? "" : "; ") + part; };
+  if (!exported.unsolved.empty()) add(exported.unsolved);
+  if (!exported.missing.empty())
+    add(fmt::format("{} of {} frequencies are not solved: {} rad/s", exported.missing.size(),
+                    exported.planned, list_frequencies(exported.missing)));
+  if (exported.seas_missing) add(text.empty() ? "the seas are not done" : "nor are the seas");
   return text;
 }
 

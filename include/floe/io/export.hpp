@@ -10,12 +10,12 @@ namespace floe::io {
 struct Exported {
   std::vector<std::string> files;  ///< all files of the run, relative to its directory
   std::size_t planned = 0;         ///< frequencies of the case, or of the shard
-  std::vector<double> missing;     ///< those that were not finished [rad/s]
-  std::string unsolved;  ///< describe_unsolved of those that could not be solved, also `missing`
-  bool seas_missing = false;  ///< seas are asked for and not finished
+  std::vector<double> missing;     ///< those that were not tried [rad/s]
+  std::string unsolved;            ///< describe_unsolved of those that could not be solved
+  bool seas_missing = false;       ///< seas are asked for and not finished
   /// Spectra of all nodes are asked for and not there; records do not hold them.
   bool node_spectra_missing = false;
-  bool complete() const { return missing.empty() && !seas_missing; }
+  bool complete() const { return missing.empty() && unsolved.empty() && !seas_missing; }
 };
 
 /// Makes all products of a run anew from its records, but the spectra of all nodes, which stay
