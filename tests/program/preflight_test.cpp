@@ -135,6 +135,16 @@ TEST(Estimate, ChoosesTheMethodByTheMesh) {
   EXPECT_EQ(chosen(rectangle(300.0, 60.0, 10, 2)), SolverMethod::kFmm);
 }
 
+// What is free at the moment has no say
+TEST(Estimate, PlansForWhatIsAskedForAndNotForWhatIsFree) {
+  Case data;
+  EXPECT_EQ(plan_budget(data), kPlannedMemory);
+  data.memory_limit = 5e9;
+  EXPECT_EQ(plan_budget(data), 5e9);
+  data.plan_memory = 7e9;  // of an earlier run
+  EXPECT_EQ(plan_budget(data), 7e9);
+}
+
 TEST(Estimate, RefusesBeyondTheBudgetNamingWhatHelps) {
   Estimate needed;
   needed.method = "dense";
