@@ -122,10 +122,9 @@ StageEstimate estimate_seas(const Sizes& s, const StageEstimate& radiation, int 
 }
 
 // What the operator and the columns leave
-double krylov_budget(const Case& data, const mesh::Q8Mesh& mesh) {
+double krylov_budget(const Case& data, SolverMethod method, const FluidWork& work) {
   const double all = plan_budget(data);
-  const double others = fluid_cost(resolve_method(data, mesh), fluid_work(data, mesh)).memory +
-                        columns_memory(static_cast<double>(mesh.node_count()), data);
+  const double others = fluid_cost(method, work).memory + columns_memory(work.nodes, data);
   return std::max(kKrylovLeast * all, kKrylovMost * (all - others));
 }
 
@@ -155,7 +154,7 @@ double plan_budget(const Case& data) {
 KrylovPlan plan_krylov(const Case& data, const mesh::Q8Mesh& mesh) {
   const SolverMethod method = resolve_method(data, mesh);
   const FluidWork work = fluid_work(data, mesh);
-  const double budget = krylov_budget(data, mesh);
+  const double budget = krylov_budget(data, method, work);
 
   // Room for all columns in one block. Where the budget is small, single precision first, then as
   // many directions as expected: blocks of fewer columns need twice the applications
@@ -181,11 +180,11 @@ KrylovPlan longest_krylov(const Case& data, const mesh::Q8Mesh& mesh) {
   constexpr double kDirections = 1000.0;  // their products with each other take memory too
   const FluidWork work = fluid_work(data, mesh);
   const double scratch = (krylov::kScratchColumns + 1.0) * work.columns;
-  return {
-      .memory = std::min((kDirections + scratch) * 16.0 * work.nodes, krylov_budget(data, mesh)),
-      .steps = kSteps,
-      .in_float = false,
-      .most_steps = kMostSteps};
+  return {.memory = std::min((kDirections + scratch) * 16.0 * work.nodes,
+                             krylov_budget(data, resolve_method(data, mesh), work)),
+          .steps = kSteps,
+          .in_float = false,
+          .most_steps = kMostSteps};
 }
 
 Estimate estimate(const Case& data, const mesh::Q8Mesh& mesh, const mesh::Q8Mesh* plate_mesh,

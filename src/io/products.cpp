@@ -162,9 +162,7 @@ void Products::end_seas(const SeaGridReport& grid) {
 
 // Frequencies of one sweep by processors of several kinds have other last bits
 void Products::warn_of_mixture() {
-  std::set<std::string> kinds;
-  for (const FrequencyReport& report : account.frequencies)
-    if (!report.processor.empty()) kinds.insert(report.processor);
+  const std::set<std::string> kinds = processors_of(account);
   if (kinds.size() < 2) return;
   account.warnings.push_back(
       fmt::format("mixed processors: frequencies were solved by {} (results agree to the "

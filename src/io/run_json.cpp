@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <set>
 
 namespace floe::io {
 namespace {
@@ -93,12 +92,9 @@ Json sea_results_json(const RunAccount& account) {
 }
 
 Json plan_json(const RunAccount& account) {
-  std::set<std::string> processors;
-  for (const FrequencyReport& report : account.frequencies)
-    if (!report.processor.empty()) processors.insert(report.processor);
   return {{"method", account.plan.method},
           {"threads", account.threads},
-          {"processors", processors},
+          {"processors", processors_of(account)},
           {"estimated_memory", account.plan.memory},
           {"estimated_seconds", account.plan.seconds}};
 }
@@ -129,6 +125,13 @@ Json frequency_json(const FrequencyReport& report, double wavenumber) {
 }
 
 }  // namespace
+
+std::set<std::string> processors_of(const RunAccount& account) {
+  std::set<std::string> kinds;
+  for (const FrequencyReport& report : account.frequencies)
+    if (!report.processor.empty()) kinds.insert(report.processor);
+  return kinds;
+}
 
 RunAccount::Sea summary_of(const SeaResult& result) {
   return {result.sea,         result.mean_heading_deg, result.significant_height,

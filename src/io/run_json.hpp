@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,9 @@ struct RunAccount {
   std::vector<std::string> left_out;  ///< products that its route does not know
   std::vector<std::string> files;     ///< all files of the run, relative
 };
+
+/// The kinds of processors that solved the frequencies.
+std::set<std::string> processors_of(const RunAccount& account);
 
 /// What the account tells of one sea and mean heading.
 RunAccount::Sea summary_of(const SeaResult& result);
